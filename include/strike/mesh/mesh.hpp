@@ -1,0 +1,27 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace strike {
+
+/// Number of a node or an element, counted from zero.
+using Index = std::uint32_t;
+
+/// Connectivity of elements with N nodes: `cells[e][i]` is the node at corner i of element e.
+template <std::size_t N>
+using Cells = std::vector<std::array<Index, N>>;
+
+/// Nodes and the elements between them. Corners of a hexahedron: 0-3 around the bottom, 4-7 above them, right-handed;
+/// of a tetrahedron: 3 above the counter-clockwise 0-1-2; of a quadrilateral: around it.
+struct Mesh {
+  std::vector<Eigen::Vector3d> nodes;  ///< reference positions [length]
+  Cells<8> hexahedra;
+  Cells<4> tetrahedra;
+  Cells<4> quadrilaterals;
+};
+
+}  // namespace strike
