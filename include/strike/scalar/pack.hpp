@@ -1,0 +1,233 @@
+#pragma once
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace strike {
+
+namespace detail {
+
+#if defined(__AVX512F__)
+inline constexpr std::size_t register_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t register_bytes = 32;
+#else
+inline constexpr std::size_t register_bytes = 16;
+#endif
+
+template <class T, std::size_t Width>
+struct Register {
+  typedef T type __attribute__((vector_size(Width * sizeof(T))));
+};
+
+template <class T>
+using SignedOf = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+
+}  // namespace detail
+
+/// How many numbers of type T one register of the target holds.
+template <class T>
+inline constexpr std::size_t native_lanes = detail::register_bytes / sizeof(T);
+
+template <class T, std::size_t N>
+class Mask;
+
+/// N numbers that are computed at once, one in each lane of the machine's vector registers. Behaves like one number:
+/// every formula written for `double` runs on it; a comparison gives a `Mask`, and a branch is `select(mask, then,
+/// otherwise)`. Literals convert by themselves. N is a power of two.
+template <std::floating_point T, std::size_t N = native_lanes<T>>
+class Pack {
+  static_assert((N & (N - 1)) == 0, "strike: the number of lanes of a Pack must be a power of two.");
+  static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
+  static constexpr std::size_t registers = N / width;
+
+ public:
+  using value_type = T;
+  using Register = typename detail::Register<T, width>::type;
+
+  Pack() = default;
+  template <class U>
+  requires std::is_arithmetic_v<U>
+  constexpr Pack(U value) : r_{} {  // implicit: literals stand in formulas
+    for (auto& r : r_) r = Register{} + static_cast<T>(value);
+  }
+
+  static constexpr std::size_t size() { return N; }
+  T operator[](std::size_t lane) const { return r_[lane / width][lane % width]; }
+  void set(std::size_t lane, T value) { r_[lane / width][lane % width] = value; }
+
+  /// The k-th register: for code that moves data, not for formulas.
+  Register& native(std::size_t k) { return r_[k]; }
+  const Register& native(std::size_t k) const { return r_[k]; }
+
+  /// f(lane) in every lane.
+  template <class F>
+  static Pack generate(F f) {
+    Pack p;
+    for (std::size_t i = 0; i < N; ++i) p.set(i, static_cast<T>(f(i)));
+    return p;
+  }
+
+  friend Pack operator+(const Pack& a, const Pack& b) {
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] + b.r_[k];
+    return c;
+  }
+  friend Pack operator-(const Pack& a, const Pack& b) {
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] - b.r_[k];
+    return c;
+  }
+  friend Pack operator*(const Pack& a, const Pack& b) {
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] * b.r_[k];
+    return c;
+  }
+  friend Pack operator/(const Pack& a, const Pack& b) {
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] / b.r_[k];
+    return c;
+  }
+  friend Pack operator-(const Pack& a) {
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = -a.r_[k];
+    return c;
+  }
+  friend Pack operator+(const Pack& a) { return a; }
+  Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  Pack& operator-=(const Pack& b) { return *this = *this - b; }
+  Pack& operator*=(const Pack& b) { return *this = *this * b; }
+  Pack& operator/=(const Pack& b) { return *this = *this / b; }
+
+  friend Mask<T, N> operator<(const Pack& a, const Pack& b) {
+    Mask<T, N> m;
+    for (std::size_t k = 0; k < registers; ++k) m.native(k) = a.r_[k] < b.r_[k];
+    return m;
+  }
+  friend Mask<T, N> operator<=(const Pack& a, const Pack& b) {
+    Mask<T, N> m;
+    for (std::size_t k = 0; k < registers; ++k) m.native(k) = a.r_[k] <= b.r_[k];
+    return m;
+  }
+  friend Mask<T, N> operator==(const Pack& a, const Pack& b) {
+    Mask<T, N> m;
+    for (std::size_t k = 0; k < registers; ++k) m.native(k) = a.r_[k] == b.r_[k];
+    return m;
+  }
+  friend Mask<T, N> operator>(const Pack& a, const Pack& b) { return b < a; }
+  friend Mask<T, N> operator>=(const Pack& a, const Pack& b) { return b <= a; }
+  friend Mask<T, N> operator!=(const Pack& a, const Pack& b) { return !(a == b); }
+
+  friend Pack select(const Mask<T, N>& m, const Pack& then, const Pack& otherwise) {
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = m.native(k) ? then.r_[k] : otherwise.r_[k];
+    return c;
+  }
+  friend Pack min(const Pack& a, const Pack& b) { return select(b < a, b, a); }
+  friend Pack max(const Pack& a, const Pack& b) { return select(a < b, b, a); }
+  friend Pack abs(const Pack& a) { return max(a, -a); }
+  friend Pack sqrt(const Pack& a) {
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = root(a.r_[k]);
+    return c;
+  }
+  friend T reduce_sum(const Pack& a) {
+    T s = a[0];
+    for (std::size_t i = 1; i < N; ++i) s += a[i];
+    return s;
+  }
+  friend T reduce_min(const Pack& a) {
+    T s = a[0];
+    for (std::size_t i = 1; i < N; ++i) s = a[i] < s ? a[i] : s;
+    return s;
+  }
+  friend T reduce_max(const Pack& a) { return -reduce_min(-a); }
+
+ private:
+  static Register root(const Register& a) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Register) == 64) {
+      if constexpr (sizeof(T) == 8)
+        return _mm512_maskz_sqrt_pd(0xff, a);
+      else
+        return _mm512_maskz_sqrt_ps(0xffff, a);
+    } else
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(Register) == 32) {
+      if constexpr (sizeof(T) == 8)
+        return _mm256_sqrt_pd(a);
+      else
+        return _mm256_sqrt_ps(a);
+    } else
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Register) == 16) {
+      if constexpr (sizeof(T) == 8)
+        return _mm_sqrt_pd(a);
+      else
+        return _mm_sqrt_ps(a);
+    } else
+#endif
+    {
+      Register c{};
+      for (std::size_t i = 0; i < width; ++i) c[i] = std::sqrt(a[i]);
+      return c;
+    }
+  }
+
+  Register r_[registers];
+};
+
+/// One yes or no per lane of a `Pack<T, N>`.
+template <class T, std::size_t N>
+class Mask {
+  using Flag = detail::SignedOf<T>;
+  static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
+  static constexpr std::size_t registers = N / width;
+
+ public:
+  using Register = typename detail::Register<Flag, width>::type;
+
+  Mask() = default;
+  Mask(bool value) {  // implicit: `select(true, a, b)` is a formula too
+    for (auto& r : r_) r = Register{} - static_cast<Flag>(value);
+  }
+  bool operator[](std::size_t lane) const { return r_[lane / width][lane % width] != 0; }
+  Register& native(std::size_t k) { return r_[k]; }
+  const Register& native(std::size_t k) const { return r_[k]; }
+
+  friend Mask operator&&(const Mask& a, const Mask& b) {
+    Mask c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] & b.r_[k];
+    return c;
+  }
+  friend Mask operator||(const Mask& a, const Mask& b) {
+    Mask c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] | b.r_[k];
+    return c;
+  }
+  friend Mask operator!(const Mask& a) {
+    Mask c;
+    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = ~a.r_[k];
+    return c;
+  }
+  friend bool any(const Mask& a) {
+    Flag f = 0;
+    for (std::size_t i = 0; i < N; ++i) f |= a.r_[i / width][i % width];
+    return f != 0;
+  }
+  friend bool all(const Mask& a) { return !any(!a); }
+
+ private:
+  Register r_[registers];
+};
+
+}  // namespace strike
