@@ -1,0 +1,9 @@
+#pragma once
+#include <string_view>
+
+namespace strike {
+
+/// Semantic version of these headers. CMake reads it from this line.
+inline constexpr std::string_view version = "0.1.0";
+
+}  // namespace strike

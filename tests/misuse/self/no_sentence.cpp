@@ -1,0 +1,1 @@
+static_assert(sizeof(char) == 2, "a misuse is refused in one sentence");

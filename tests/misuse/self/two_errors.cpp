@@ -1,0 +1,3 @@
+// expect: a misuse is refused in one sentence
+static_assert(sizeof(char) == 2, "a misuse is refused in one sentence");
+static_assert(sizeof(char) == 3, "a misuse is refused in one sentence");
