@@ -45,10 +45,11 @@ class Mask;
 template <std::floating_point T, std::size_t N = native_lanes<T>>
 class Pack {
   static_assert((N & (N - 1)) == 0, "strike: the number of lanes of a Pack must be a power of two.");
-  static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
-  static constexpr std::size_t registers = N / width;
 
  public:
+  /// N = registers * width. For code that moves data, not for formulas.
+  static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
+  static constexpr std::size_t registers = N / width;
   using value_type = T;
   using Register = typename detail::Register<T, width>::type;
 
