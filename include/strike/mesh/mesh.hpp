@@ -16,12 +16,13 @@ template <std::size_t N>
 using Cells = std::vector<std::array<Index, N>>;
 
 /// Nodes and the elements between them. Corners of a hexahedron: 0-3 around the bottom, 4-7 above them, right-handed;
-/// of a tetrahedron: 3 above the counter-clockwise 0-1-2; of a quadrilateral: around it.
+/// of a tetrahedron: 3 above the counter-clockwise 0-1-2; of a quadrilateral: around it. Where all cells are counted
+/// together, hexahedra come first, then tetrahedra, then quadrilaterals.
 struct Mesh {
   std::vector<Eigen::Vector3d> nodes;  ///< reference positions [length]
-  Cells<8> hexahedra;
-  Cells<4> tetrahedra;
-  Cells<4> quadrilaterals;
+  Cells<8> hexahedra = {};
+  Cells<4> tetrahedra = {};
+  Cells<4> quadrilaterals = {};
 };
 
 }  // namespace strike

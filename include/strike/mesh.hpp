@@ -1,0 +1,11 @@
+#pragma once
+#include <strike/mesh/box.hpp>
+#include <strike/mesh/check.hpp>
+#include <strike/mesh/cylinder.hpp>
+#include <strike/mesh/grading.hpp>
+#include <strike/mesh/measure.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/mesh/select.hpp>
+#include <strike/mesh/surface.hpp>
+#include <strike/mesh/tetrahedra.hpp>
+#include <strike/mesh/transform.hpp>

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/mesh/describe.hpp>
+#include <strike/mesh/grading.hpp>
+#include <strike/mesh/mesh.hpp>
+
+namespace strike {
+
+/// A brick with edges along the axes.
+struct BoxShape {
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();  ///< corner of smallest coordinates [length]
+  Eigen::Vector3d size;                             ///< edges [length]
+  std::array<Index, 3> cells{1, 1, 1};              ///< hexahedra along x, y, z
+  std::array<double, 3> grading{1, 1, 1};           ///< last cell over first along x, y, z
+};
+
+/// Hexahedra that fill a box; x runs fastest, then y, then z, in nodes and cells alike.
+/// Errors: an edge that is not positive, no cells, grading that is not positive.
+inline Mesh box(const BoxShape& shape) {
+  if (!(shape.size.minCoeff() > 0) || !shape.size.allFinite())
+    throw Error("A box of size " + detail::text(shape.size) + " has no volume: give three positive edges in `.size`.");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (shape.cells[axis] < 1)
+      throw Error(std::string("A box has no cells along ") + "xyz"[axis] + ": give 1 or more in `.cells`.");
+  const auto [nx, ny, nz] = shape.cells;
+  std::array<std::vector<double>, 3> position;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    position[axis] = graded(shape.lower[a], shape.lower[a] + shape.size[a], shape.cells[axis], shape.grading[axis]);
+  }
+
+  Mesh mesh;
+  for (const double z : position[2])
+    for (const double y : position[1])
+      for (const double x : position[0]) mesh.nodes.emplace_back(x, y, z);
+  const auto node = [nx = nx, ny = ny](Index i, Index j, Index k) { return i + (nx + 1) * (j + (ny + 1) * k); };
+  for (Index k = 0; k < nz; ++k)
+    for (Index j = 0; j < ny; ++j)
+      for (Index i = 0; i < nx; ++i)
+        mesh.hexahedra.push_back({node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k),
+                                  node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1),
+                                  node(i, j + 1, k + 1)});
+  return mesh;
+}
+
+}  // namespace strike

@@ -1,0 +1,45 @@
+#pragma once
+#include <array>
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include <strike/mesh/mesh.hpp>
+#include <strike/mesh/surface.hpp>
+
+namespace strike {
+
+/// Volume of the trilinear hexahedron [length^3], exact; negative if it is inside out.
+inline double hexahedron_volume(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 8>& cell) {
+  // Cones from corner 0 over its faces. Over a bilinear face the cone is the mean of those over its two pairs of
+  // triangles: with a, b, c, d from the apex, 12 V = (a + b) . (c x d) + (c + d) . (a x b).
+  const Eigen::Vector3d& apex = nodes[cell[0]];
+  double volume = 0;
+  for (const auto& corners : detail::hexahedron_faces) {
+    const Eigen::Vector3d a = nodes[cell[corners[0]]] - apex, b = nodes[cell[corners[1]]] - apex,
+                          c = nodes[cell[corners[2]]] - apex, d = nodes[cell[corners[3]]] - apex;
+    volume += (a + b).dot(c.cross(d)) + (c + d).dot(a.cross(b));
+  }
+  return volume / 12;
+}
+
+/// Volume of a tetrahedron [length^3]; negative if it is inside out.
+inline double tetrahedron_volume(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 4>& cell) {
+  const Eigen::Vector3d &a = nodes[cell[0]], &b = nodes[cell[1]], &c = nodes[cell[2]], &d = nodes[cell[3]];
+  return (b - a).cross(c - a).dot(d - a) / 6;
+}
+
+/// Area of a quadrilateral [length^2]; of a warped one, the size of its vector area.
+inline double quadrilateral_area(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 4>& cell) {
+  return area_vector(nodes, Face{cell, 0}).norm();
+}
+
+/// Volume of all hexahedra and tetrahedra of a mesh [length^3].
+inline double volume(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& cell : mesh.hexahedra) sum += hexahedron_volume(mesh.nodes, cell);
+  for (const auto& cell : mesh.tetrahedra) sum += tetrahedron_volume(mesh.nodes, cell);
+  return sum;
+}
+
+}  // namespace strike

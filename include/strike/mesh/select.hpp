@@ -1,0 +1,126 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/mesh/mesh.hpp>
+
+namespace strike {
+
+enum class Axis { x, y, z };
+
+inline Eigen::Vector3d unit(Axis axis) { return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis)); }
+
+/// Diagonal of the smallest box around the nodes [length]: the size that tolerances refer to.
+inline double extent(std::span<const Eigen::Vector3d> nodes) {
+  if (nodes.empty()) return 0;
+  Eigen::Vector3d lower = nodes[0], upper = nodes[0];
+  for (const Eigen::Vector3d& x : nodes) {
+    lower = lower.cwiseMin(x);
+    upper = upper.cwiseMax(x);
+  }
+  return (upper - lower).norm();
+}
+
+/// A condition on a position: `bool(x)`, or `bool(x, size)` where `size` is the extent of all nodes, so that a
+/// tolerance can be relative.
+template <class P>
+concept PositionPredicate =
+    std::predicate<P, const Eigen::Vector3d&> || std::predicate<P, const Eigen::Vector3d&, double>;
+
+/// Mean position of the corners of a cell [length].
+template <std::size_t N>
+Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const std::array<Index, N>& cell) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Index node : cell) sum += nodes[node];
+  return sum / double(N);
+}
+
+namespace detail {
+template <PositionPredicate P>
+bool holds(P& predicate, const Eigen::Vector3d& x, [[maybe_unused]] double size) {
+  if constexpr (std::predicate<P, const Eigen::Vector3d&, double>)
+    return predicate(x, size);
+  else
+    return predicate(x);
+}
+}  // namespace detail
+
+/// Numbers of the nodes whose position satisfies the predicate, in ascending order:
+/// `nodes_where(mesh.nodes, on_plane(Axis::z, 0))`.
+template <PositionPredicate P>
+std::vector<Index> nodes_where(std::span<const Eigen::Vector3d> nodes, P predicate) {
+  const double size = extent(nodes);
+  std::vector<Index> chosen;
+  for (Index i = 0; i < nodes.size(); ++i)
+    if (detail::holds(predicate, nodes[i], size)) chosen.push_back(i);
+  return chosen;
+}
+
+/// Numbers of the cells whose centroid satisfies the predicate, in ascending order:
+/// `cells_where(mesh.nodes, mesh.hexahedra, [](const auto& x) { return x[2] < 1; })`.
+template <std::size_t N, PositionPredicate P>
+std::vector<Index> cells_where(std::span<const Eigen::Vector3d> nodes, const Cells<N>& cells, P predicate) {
+  const double size = extent(nodes);
+  std::vector<Index> chosen;
+  for (Index e = 0; e < cells.size(); ++e)
+    if (detail::holds(predicate, centroid<N>(nodes, cells[e]), size)) chosen.push_back(e);
+  return chosen;
+}
+
+/// The listed cells, e.g. those that `cells_where` found.
+template <std::size_t N>
+Cells<N> cells_of(const Cells<N>& cells, std::span<const Index> numbers) {
+  Cells<N> chosen;
+  for (const Index e : numbers) chosen.push_back(cells.at(e));
+  return chosen;
+}
+
+/// Number of the node nearest to a place, the lowest of several.
+inline Index nearest_node(std::span<const Eigen::Vector3d> nodes, const Eigen::Vector3d& place) {
+  if (nodes.empty()) throw Error("A mesh without nodes has no nearest node: build or read the mesh first.");
+  Index nearest = 0;
+  for (Index i = 1; i < nodes.size(); ++i)
+    if ((nodes[i] - place).squaredNorm() < (nodes[nearest] - place).squaredNorm()) nearest = i;
+  return nearest;
+}
+
+/// In the plane normal . x = offset [length], within `tolerance` times the extent of the mesh.
+inline auto on_plane(const Eigen::Vector3d& normal, double offset, double tolerance = 1e-9) {
+  return [n = normal.normalized().eval(), offset, tolerance](const Eigen::Vector3d& x, double size) {
+    return std::abs(n.dot(x) - offset) <= tolerance * size;
+  };
+}
+
+/// In the plane where the coordinate has the given value [length], within `tolerance` times the extent of the mesh.
+inline auto on_plane(Axis axis, double offset, double tolerance = 1e-9) {
+  return on_plane(unit(axis), offset, tolerance);
+}
+
+/// On the mantle of the cylinder about the line through `centre` along `axis`, within `tolerance` times the extent.
+inline auto on_cylinder(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
+                        double tolerance = 1e-9) {
+  return [=, a = axis.normalized().eval()](const Eigen::Vector3d& x, double size) {
+    const Eigen::Vector3d r = x - centre;
+    return std::abs((r - a * a.dot(r)).norm() - radius) <= tolerance * size;
+  };
+}
+
+/// In the box between two corners, its faces included within `tolerance` times the extent.
+inline auto in_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, double tolerance = 1e-9) {
+  return [=](const Eigen::Vector3d& x, double size) {
+    const double slack = tolerance * size;
+    return (x - lower).minCoeff() >= -slack && (upper - x).minCoeff() >= -slack;
+  };
+}
+
+/// In the ball, its surface included within `tolerance` times the extent.
+inline auto in_sphere(const Eigen::Vector3d& centre, double radius, double tolerance = 1e-9) {
+  return [=](const Eigen::Vector3d& x, double size) { return (x - centre).norm() <= radius + tolerance * size; };
+}
+
+}  // namespace strike

@@ -1,0 +1,137 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <strike/error.hpp>
+#include <strike/mesh/mesh.hpp>
+
+namespace strike {
+
+/// A face of a cell: corners counter-clockwise seen from outside; a triangle repeats its third corner.
+struct Face {
+  std::array<Index, 4> nodes;
+  Index cell;  ///< the cell it belongs to, numbered within the list it came from
+
+  bool is_triangle() const { return nodes[2] == nodes[3]; }
+};
+
+/// Area of a face times its outward unit normal [length^2]; of a warped face, the vector area.
+inline Eigen::Vector3d area_vector(std::span<const Eigen::Vector3d> nodes, const Face& face) {
+  const auto& [a, b, c, d] = face.nodes;
+  return 0.5 * (nodes[c] - nodes[a]).cross(nodes[d] - nodes[b]);
+}
+
+/// Mean position of the corners of a face [length].
+inline Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const Face& face) {
+  const auto& [a, b, c, d] = face.nodes;
+  if (face.is_triangle()) return (nodes[a] + nodes[b] + nodes[c]) / 3;
+  return (nodes[a] + nodes[b] + nodes[c] + nodes[d]) / 4;
+}
+
+namespace detail {
+
+// Faces of a cell by its corners, counter-clockwise seen from outside; a triangle repeats its third corner.
+inline constexpr std::array<std::array<unsigned, 4>, 6> hexahedron_faces{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+inline constexpr std::array<std::array<unsigned, 4>, 4> tetrahedron_faces{
+    {{0, 2, 1, 1}, {0, 1, 3, 3}, {1, 2, 3, 3}, {2, 0, 3, 3}}};
+
+template <std::size_t N, std::size_t F>
+void append_faces(std::vector<Face>& faces, const Cells<N>& cells,
+                  const std::array<std::array<unsigned, 4>, F>& corners, std::size_t first_cell) {
+  for (std::size_t e = 0; e < cells.size(); ++e)
+    for (const auto& [a, b, c, d] : corners)
+      faces.push_back({{cells[e][a], cells[e][b], cells[e][c], cells[e][d]}, static_cast<Index>(first_cell + e)});
+}
+
+/// The faces that no other face of the list shares, in the order of the list; linear in their number.
+inline std::vector<Face> unshared(const std::vector<Face>& faces) {
+  // Two cells share a face if it has the same corners in any order: bucket the faces by their lowest corner (counting
+  // sort), then compare the few in each bucket.
+  using Key = std::array<Index, 4>;
+  std::vector<Key> key;
+  Index nodes = 0;
+  for (const Face& face : faces) {
+    Key k = face.nodes;
+    std::sort(k.begin(), k.end());
+    if (face.is_triangle()) {  // one form for the repeated corner, whichever it is
+      const auto last = std::unique(k.begin(), k.end());
+      std::fill(last, k.end(), std::numeric_limits<Index>::max());
+    }
+    nodes = std::max(nodes, k[0] + 1);
+    key.push_back(k);
+  }
+  std::vector<std::size_t> begin(std::size_t(nodes) + 1, 0), order(faces.size());
+  for (const Key& k : key) ++begin[k[0] + 1];
+  for (std::size_t n = 0; n < nodes; ++n) begin[n + 1] += begin[n];
+  std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+  for (std::size_t f = 0; f < faces.size(); ++f) order[end[key[f][0]]++] = f;
+
+  std::vector<unsigned char> copies(faces.size(), 1);
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (std::size_t i = begin[n]; i < begin[n + 1]; ++i)
+      for (std::size_t j = begin[n]; j < begin[n + 1]; ++j)
+        if (i != j && key[order[i]] == key[order[j]] && ++copies[order[i]] > 2)
+          throw Error("Cells " + std::to_string(faces[order[i]].cell) + " and " + std::to_string(faces[order[j]].cell) +
+                      " share a face (nodes " + std::to_string(key[order[i]][0]) + ", " +
+                      std::to_string(key[order[i]][1]) + ", " + std::to_string(key[order[i]][2]) +
+                      ", ...) with a third cell: remove the duplicate.");
+
+  std::vector<Face> boundary;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (copies[f] == 1) boundary.push_back(faces[f]);
+  return boundary;
+}
+
+}  // namespace detail
+
+/// Outer faces of hexahedra, in the order of their cells. Error: a face shared by three cells.
+inline std::vector<Face> hexahedron_surface(const Cells<8>& cells) {
+  std::vector<Face> faces;
+  detail::append_faces(faces, cells, detail::hexahedron_faces, 0);
+  return detail::unshared(faces);
+}
+
+/// Outer faces of tetrahedra, in the order of their cells. Error: a face shared by three cells.
+inline std::vector<Face> tetrahedron_surface(const Cells<4>& cells) {
+  std::vector<Face> faces;
+  detail::append_faces(faces, cells, detail::tetrahedron_faces, 0);
+  return detail::unshared(faces);
+}
+
+/// Quadrilaterals as faces, facing the side from which they run counter-clockwise.
+inline std::vector<Face> quadrilateral_surface(const Cells<4>& cells) {
+  std::vector<Face> faces;
+  for (std::size_t e = 0; e < cells.size(); ++e) faces.push_back({cells[e], static_cast<Index>(e)});
+  return faces;
+}
+
+/// Outer faces of all cells of a mesh; `Face::cell` counts hexahedra first, then tetrahedra, then quadrilaterals.
+/// Error: a face shared by three cells.
+inline std::vector<Face> surface(const Mesh& mesh) {
+  std::vector<Face> faces;
+  detail::append_faces(faces, mesh.hexahedra, detail::hexahedron_faces, 0);
+  detail::append_faces(faces, mesh.tetrahedra, detail::tetrahedron_faces, mesh.hexahedra.size());
+  faces = detail::unshared(faces);
+  const std::size_t solids = mesh.hexahedra.size() + mesh.tetrahedra.size();
+  for (std::size_t e = 0; e < mesh.quadrilaterals.size(); ++e)
+    faces.push_back({mesh.quadrilaterals[e], static_cast<Index>(solids + e)});
+  return faces;
+}
+
+/// Numbers of the nodes of a surface, in ascending order.
+inline std::vector<Index> surface_nodes(std::span<const Face> faces) {
+  std::vector<Index> nodes;
+  for (const Face& face : faces) nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+}  // namespace strike

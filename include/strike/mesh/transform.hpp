@@ -1,0 +1,184 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <strike/error.hpp>
+#include <strike/mesh/mesh.hpp>
+
+namespace strike {
+
+/// The mesh with every node at `place(x)`; the map must keep handedness (see `mirrored` for one that does not).
+template <class Place>
+Mesh transformed(Mesh mesh, Place&& place) {
+  for (Eigen::Vector3d& x : mesh.nodes) x = Eigen::Vector3d(place(std::as_const(x)));
+  return mesh;
+}
+
+/// The mesh moved by a displacement [length].
+inline Mesh translated(Mesh mesh, const Eigen::Vector3d& displacement) {
+  return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(x + displacement); });
+}
+
+/// The mesh turned right-handedly about an axis through the origin by an angle [rad].
+inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+  return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(R * x); });
+}
+
+/// The mesh stretched from the origin by one positive factor per axis.
+inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
+  if (!(factor.minCoeff() > 0)) throw Error("A mesh is scaled by positive factors only: use `mirrored` to reflect it.");
+  return transformed(std::move(mesh),
+                     [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(x.cwiseProduct(factor)); });
+}
+
+/// The mirror image in the plane through the origin with the given normal. Corners are reordered, so that volumes and
+/// the side to which a quadrilateral faces stay as they were.
+inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d n = normal.normalized();
+  mesh = transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(x - 2 * n.dot(x) * n); });
+  for (auto& c : mesh.hexahedra) c = {c[0], c[3], c[2], c[1], c[4], c[7], c[6], c[5]};
+  for (auto& c : mesh.tetrahedra) c = {c[0], c[2], c[1], c[3]};
+  for (auto& c : mesh.quadrilaterals) c = {c[0], c[3], c[2], c[1]};
+  return mesh;
+}
+
+/// Adds a copy of `other` to the mesh without joining nodes; gives the number that its node 0 has now.
+inline Index append(Mesh& mesh, const Mesh& other) {
+  const std::size_t offset = mesh.nodes.size();
+  if (offset + other.nodes.size() > std::numeric_limits<Index>::max())
+    throw Error("A mesh holds fewer than 2^32 nodes: keep these two apart.");
+  const auto add = [offset](auto& cells, auto added) {  // a copy: `other` may be `mesh` itself
+    for (auto& cell : added) {
+      for (Index& node : cell) node += static_cast<Index>(offset);
+      cells.push_back(cell);
+    }
+  };
+  add(mesh.hexahedra, other.hexahedra);
+  add(mesh.tetrahedra, other.tetrahedra);
+  add(mesh.quadrilaterals, other.quadrilaterals);
+  const auto nodes = other.nodes;
+  mesh.nodes.insert(mesh.nodes.end(), nodes.begin(), nodes.end());
+  return static_cast<Index>(offset);
+}
+
+namespace detail {
+
+/// Renumbers the nodes: node i becomes `number[i]`, and keeps its place among those of the same number if it is first.
+inline Mesh renumbered(Mesh mesh, std::span<const Index> number, std::vector<Eigen::Vector3d> nodes) {
+  const auto renumber = [&](auto& cells) {
+    for (auto& cell : cells)
+      for (Index& node : cell) node = number[node];
+  };
+  renumber(mesh.hexahedra);
+  renumber(mesh.tetrahedra);
+  renumber(mesh.quadrilaterals);
+  mesh.nodes = std::move(nodes);
+  return mesh;
+}
+
+}  // namespace detail
+
+/// The mesh with nodes closer than `tolerance` [length] joined into the first of them; the order of the rest stays.
+inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
+  if (!(tolerance > 0)) throw Error("Nodes are joined within a positive tolerance: give the distance as a length.");
+  // Kept nodes are hashed by the cube of edge 4 tolerance that holds them; a node looks into the cubes which its
+  // tolerance touches: one, rarely up to eight.
+  constexpr Index none = std::numeric_limits<Index>::max();
+  std::size_t buckets = 1;
+  while (buckets < 2 * mesh.nodes.size()) buckets *= 2;
+  std::vector<Index> head(buckets, none), next;
+  std::vector<Eigen::Vector3d> kept;
+  using Cube = Eigen::Matrix<std::int64_t, 3, 1>;
+  const auto cube = [&](const Eigen::Vector3d& x) -> Cube {
+    return (x / (4 * tolerance)).array().floor().cast<std::int64_t>();
+  };
+  const auto bucket = [&](std::int64_t i, std::int64_t j, std::int64_t k) -> std::size_t {
+    std::uint64_t hash = 0;
+    for (const std::int64_t index : {i, j, k}) {
+      hash = (hash ^ static_cast<std::uint64_t>(index)) * 0x9E3779B97F4A7C15u;  // Fibonacci hashing (Knuth, TAOCP 3)
+      hash ^= hash >> 32;
+    }
+    return hash & (buckets - 1);
+  };
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(tolerance);
+
+  std::vector<Index> number;
+  for (const Eigen::Vector3d& x : mesh.nodes) {
+    Index same = none;
+    const Cube lower = cube(x - reach), upper = cube(x + reach);
+    for (auto i = lower[0]; i <= upper[0]; ++i)
+      for (auto j = lower[1]; j <= upper[1]; ++j)
+        for (auto k = lower[2]; k <= upper[2]; ++k)
+          for (Index n = head[bucket(i, j, k)]; n != none; n = next[n])
+            if ((kept[n] - x).norm() <= tolerance) same = std::min(same, n);
+    if (same == none) {
+      same = static_cast<Index>(kept.size());
+      kept.push_back(x);
+      const Cube home = cube(x);
+      const std::size_t b = bucket(home[0], home[1], home[2]);
+      next.push_back(head[b]);
+      head[b] = same;
+    }
+    number.push_back(same);
+  }
+  return detail::renumbered(std::move(mesh), number, std::move(kept));
+}
+
+/// Numbers of the nodes that belong to no cell, in ascending order.
+inline std::vector<Index> orphan_nodes(const Mesh& mesh) {
+  std::vector<char> used(mesh.nodes.size(), 0);
+  const auto mark = [&](const auto& cells) {
+    for (const auto& cell : cells)
+      for (const Index node : cell) used.at(node) = 1;
+  };
+  mark(mesh.hexahedra);
+  mark(mesh.tetrahedra);
+  mark(mesh.quadrilaterals);
+  std::vector<Index> orphans;
+  for (Index node = 0; node < used.size(); ++node)
+    if (!used[node]) orphans.push_back(node);
+  return orphans;
+}
+
+/// The mesh without the nodes that belong to no cell; the order of the rest stays.
+inline Mesh remove_orphan_nodes(Mesh mesh) {
+  const std::vector<Index> orphans = orphan_nodes(mesh);
+  std::vector<Index> number(mesh.nodes.size());
+  std::vector<Eigen::Vector3d> kept;
+  auto orphan = orphans.begin();
+  for (Index node = 0; node < number.size(); ++node) {
+    if (orphan != orphans.end() && *orphan == node) {
+      ++orphan;
+      continue;
+    }
+    number[node] = static_cast<Index>(kept.size());
+    kept.push_back(mesh.nodes[node]);
+  }
+  return detail::renumbered(std::move(mesh), number, std::move(kept));
+}
+
+/// Hexahedra swept along z by the quadrilaterals of a plan (counter-clockwise seen from +z), one layer between each two
+/// levels [length], layer after layer.
+inline Mesh extruded(const Mesh& plan, std::span<const double> levels) {
+  if (levels.size() < 2) throw Error("A plan is extruded between at least two levels: give two or more.");
+  Mesh mesh;
+  for (const double z : levels)
+    for (const Eigen::Vector3d& x : plan.nodes) mesh.nodes.emplace_back(x[0], x[1], x[2] + z);
+  const auto stride = static_cast<Index>(plan.nodes.size());
+  for (Index layer = 0; layer + 1 < levels.size(); ++layer)
+    for (const auto& [a, b, c, d] : plan.quadrilaterals) {
+      const Index foot = layer * stride, head = foot + stride;
+      mesh.hexahedra.push_back({foot + a, foot + b, foot + c, foot + d, head + a, head + b, head + c, head + d});
+    }
+  return mesh;
+}
+
+}  // namespace strike
