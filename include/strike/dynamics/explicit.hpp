@@ -1,0 +1,235 @@
+#pragma once
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <strike/dynamics/ledger.hpp>
+#include <strike/dynamics/scene.hpp>
+#include <strike/error.hpp>
+
+namespace strike {
+
+/// What the driver may be told.
+struct ExplicitOptions {
+  double step_factor = 0.9;                                       ///< of the stable step
+  double step_growth = 1.05;                                      ///< largest ratio of a step to the one before
+  double largest_step = std::numeric_limits<double>::infinity();  ///< [time]
+  double smallest_step = 0;                                       ///< the run is given up below it [time]
+  double energy_tolerance = 0.05;                                 ///< the run is given up if the balance is off by more
+};
+
+/// Chooses the number in the formulas of a run: `Explicit run{scene, options, in<Pack<float>>}`.
+template <Scalar T>
+struct In {
+  using type = T;
+};
+template <Scalar T>
+inline constexpr In<T> in{};
+
+/// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
+/// Between two steps it holds x, f at the time n and v half a step before.
+template <class T, class... Things>
+class Explicit {
+ public:
+  using Real = RealOf<T>;
+
+  explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, In<T> = {})
+      : options_(options), nodes_(scene.nodes), things_(start(std::move(scene.things), nodes_)) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (!(nodes_.mass(i) > 0))
+        throw Error("strike: node " + std::to_string(i) + " at " + place(i) +
+                    " has no mass, for it belongs to no element; remove it.");
+    each([&](auto& thing) {
+      if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
+    });
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      ledger_.initial += 0.5 * static_cast<double>(nodes_.mass(i)) * nodes_.v(i).template cast<double>().squaredNorm();
+    ledger_.kinetic = ledger_.initial;
+    energy_ = ledger_.energy();
+    deform();
+    push();
+  }
+
+  /// One step: from n to n + 1.
+  void step() {
+    choose_step();
+    kick();
+    constrain();
+    audit();
+    drift();
+    deform();
+    push();
+  }
+
+  /// Steps until the time `end` and calls the observers after each step; the last step ends there to rounding.
+  template <class... Observers>
+  void until(double end, Observers&&... observers) {
+    end_ = end;
+    (observe(observers), ...);
+    while (time_ < end_) {
+      step();
+      (observe(observers), ...);
+    }
+  }
+
+  double time() const { return time_; }
+  std::size_t steps() const { return step_.number; }
+  double dt() const { return step_.dt; }
+  /// The element that allows the least step, and that step before the factor.
+  const StableStep& stable_step() const { return stable_; }
+  /// The energies at the last time at which both neighbouring velocities are known, one step back.
+  const Energy& energy() const { return energy_; }
+  Eigen::Vector3d momentum() const {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      p += static_cast<double>(nodes_.mass(i)) * nodes_.v(i).template cast<double>();
+    return p;
+  }
+
+  const Nodes<Real>& nodes() const { return nodes_; }
+  Nodes<Real>& nodes() { return nodes_; }
+  std::vector<Eigen::Vector3d> positions() const {
+    std::vector<Eigen::Vector3d> x(nodes_.size());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i).template cast<double>();
+    return x;
+  }
+  /// The i-th thing of the scene at work: a RunningPart, a load, a contact.
+  template <std::size_t i>
+  auto& thing() {
+    return std::get<i>(things_);
+  }
+  template <std::size_t i>
+  const auto& thing() const {
+    return std::get<i>(things_);
+  }
+
+ private:
+  using Running = std::tuple<typename detail::Running<Things, T>::type...>;
+
+  static Running start(std::tuple<Things...> things, Nodes<Real>& nodes) {
+    std::size_t number = 0;
+    return std::apply(
+        [&](auto&... thing) { return Running{detail::Running<Things, T>::start(std::move(thing), nodes, number)...}; },
+        things);
+  }
+
+  template <class F>
+  void each(F f) {
+    std::apply([&](auto&... thing) { (f(thing), ...); }, things_);
+  }
+
+  template <class Observer>
+  void observe(Observer& observer) {
+    if constexpr (requires { observer(*this); })
+      observer(*this);
+    else
+      observer();
+  }
+
+  void choose_step() {
+    const double before = step_.dt;
+    double dt = std::min(options_.step_factor * stable_.dt, options_.largest_step);
+    if (before > 0) dt = std::min(dt, options_.step_growth * before);
+    if (!(dt > options_.smallest_step))
+      stop("the time step has fallen to " + detail::text(dt) + " because of element " +
+           std::to_string(stable_.element) + " of part " + std::to_string(stable_.part));
+    const double left = end_ - time_;
+    if (dt >= left)
+      dt = left;
+    else if (2 * dt > left)
+      dt = 0.5 * left;
+    step_ = {step_.number + 1, time_, before, dt};
+  }
+
+  /// v += kick f/m. Collects the kinetic energy m v-.v+/2 but for the impulses of the constraints, which the ledger
+  /// knows.
+  void kick() {
+    const Real kick = static_cast<Real>(step_.kick());
+    double kinetic = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      auto v = nodes_.v(i);
+      const auto f = nodes_.f(i);
+      kinetic += static_cast<double>(nodes_.mass(i) * v.squaredNorm() + kick * v.dot(f));
+      v += kick / nodes_.mass(i) * f;
+    }
+    ledger_.kinetic = 0.5 * kinetic;
+  }
+
+  void constrain() {
+    each([&](auto& thing) {
+      if constexpr (requires { thing.constrain(nodes_, step_, ledger_); }) thing.constrain(nodes_, step_, ledger_);
+    });
+  }
+
+  /// Closes the balance at the time n and begins the next. An unstable step shows as a negative kinetic energy:
+  /// velocities that change sign and grow from step to step.
+  void audit() {
+    ledger_.kinetic += ledger_.impulses_before();
+    energy_ = ledger_.energy();
+    if (!(energy_.kinetic >= -options_.energy_tolerance * energy_.scale()))
+      stop("the velocities grow from step to step with changing sign (kinetic energy " + detail::text(energy_.kinetic) +
+           "): the step is beyond stability; use a smaller step factor");
+    if (!(std::abs(energy_.error()) <= options_.energy_tolerance))
+      stop("the energy balance is off by " + detail::text(100 * energy_.error()) + " % of " +
+           detail::text(energy_.scale()) + "; use a smaller step factor or look for what is wrong near element " +
+           std::to_string(stable_.element) + " of part " + std::to_string(stable_.part));
+    ledger_.settle();
+    each([&](auto& thing) {
+      if constexpr (requires { thing.power(nodes_); }) ledger_.external.book(0.5 * step_.dt * thing.power(nodes_));
+    });
+  }
+
+  void drift() {
+    const Real dt = static_cast<Real>(step_.dt);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      nodes_.x(i) += dt * nodes_.v(i);
+      nodes_.f(i).setZero();
+    }
+    time_ += step_.dt;
+  }
+
+  void deform() {
+    stable_ = {};
+    each([&](auto& thing) {
+      if constexpr (requires { thing.deform(nodes_, step_.dt, ledger_); }) {
+        const StableStep mine = thing.deform(nodes_, step_.dt, ledger_);
+        if (mine.dt < stable_.dt) stable_ = mine;
+      }
+    });
+  }
+
+  void push() {
+    each([&](auto& thing) {
+      if constexpr (requires { thing.push(nodes_, time_); }) {
+        thing.push(nodes_, time_);
+        ledger_.external.book(0.5 * step_.dt * thing.power(nodes_));
+      }
+    });
+  }
+
+  [[noreturn]] void stop(const std::string& why) const {
+    throw Error("strike: at t = " + detail::text(time_) + ", step " + std::to_string(step_.number) + ": " + why + ".");
+  }
+  std::string place(std::size_t i) const { return detail::text(Eigen::Vector3d(nodes_.x(i).template cast<double>())); }
+
+  ExplicitOptions options_;
+  Nodes<Real> nodes_;
+  Running things_;
+  Ledger ledger_;
+  Energy energy_;
+  Step step_;
+  StableStep stable_;
+  double time_ = 0, end_ = std::numeric_limits<double>::infinity();
+};
+
+template <class... Things>
+Explicit(Scene<Things...>) -> Explicit<Pack<double>, Things...>;
+template <class... Things>
+Explicit(Scene<Things...>, ExplicitOptions) -> Explicit<Pack<double>, Things...>;
+template <class T, class... Things>
+Explicit(Scene<Things...>, ExplicitOptions, In<T>) -> Explicit<T, Things...>;
+
+}  // namespace strike

@@ -1,0 +1,184 @@
+#pragma once
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <strike/dynamics/gather.hpp>
+#include <strike/dynamics/ledger.hpp>
+#include <strike/element/element.hpp>
+#include <strike/error.hpp>
+#include <strike/mesh/describe.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/mesh/nodes.hpp>
+
+namespace strike {
+
+/// The elements of one kind and one material in a scene.
+template <class E, class M>
+struct Part {
+  E element;
+  M material;
+  Cells<static_cast<std::size_t>(E::nodes)> cells;
+};
+template <class E, class M, std::size_t n>
+Part(E, M, std::vector<std::array<Index, n>>) -> Part<E, M>;
+
+/// The least stable step of some elements and the element that has it.
+struct StableStep {
+  double dt = std::numeric_limits<double>::infinity();
+  std::size_t element = 0;
+  std::size_t part = 0;
+};
+
+/// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
+template <class E, class M, class T>
+class RunningPart {
+ public:
+  using Real = RealOf<T>;
+  static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
+  static constexpr std::size_t width = lanes<T>;
+  using State = typename E::template State<M, T>;
+
+  struct Block {
+    BlockNodes<n, width> nodes;
+    State state;
+  };
+
+  RunningPart(Part<E, M> part, Nodes<Real>& nodes, std::size_t number)
+      : element_(std::move(part.element)),
+        material_(std::move(part.material)),
+        size_(part.cells.size()),
+        number_(number) {
+    if (size_ == 0) throw Error("strike: part " + std::to_string(number) + " has no elements; give it cells.");
+    blocks_.resize((size_ + width - 1) / width);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      for (std::size_t l = 0; l < width; ++l) {
+        const auto& cell = part.cells[std::min(b * width + l, size_ - 1)];  // idle lanes repeat the last element
+        for (std::size_t i = 0; i < n; ++i) {
+          if (cell[i] >= nodes.size())
+            throw Error("strike: " + name(b * width + l) + " names node " + std::to_string(cell[i]) +
+                        ", but there are " + std::to_string(nodes.size()) + " nodes; correct its connectivity.");
+          blocks_[b].nodes[i][l] = cell[i];
+        }
+      }
+      const T mass = element_.begin(blocks_[b].state, material_, gather<T, n>(nodes.position(), blocks_[b].nodes));
+      for (std::size_t l = 0; l < count(b); ++l) {
+        if (!(lane(mass, l) > 0))
+          throw Error("strike: " + name(b * width + l) + " at " + place(nodes, b * width + l) +
+                      " has no positive mass; its corners are in the wrong order or coincide.");
+        for (std::size_t i = 0; i < n; ++i) nodes.mass(blocks_[b].nodes[i][l]) += lane(mass, l);
+      }
+    }
+  }
+
+  /// Advances every element over the step dt that led to the present positions, adds its forces to the nodes and its
+  /// work to the ledger, and returns the least stable step. Throws if an element is inverted; no node has moved by
+  /// then.
+  StableStep deform(Nodes<Real>& nodes, double dt, Ledger& ledger) {
+    T least = T(std::numeric_limits<Real>::max()), where = T(0.0), volume = T(std::numeric_limits<Real>::max());
+    T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      Block& block = blocks_[b];
+      const Nodal<T, E::nodes> x = gather<T, n>(nodes.position(), block.nodes),
+                               v = gather<T, n>(nodes.velocity(), block.nodes);
+      const Response<T, E::nodes> response = element_.advance(block.state, material_, x, v, dt);
+      scatter_subtract<T, n>(response.force, nodes.force(), block.nodes, count(b));
+
+      where = select(response.stable_step < least, T(static_cast<double>(b)), where);
+      least = min(response.stable_step, least);
+      volume = select(response.volume > volume, volume, response.volume);  // keeps a NaN
+      const T mine = b + 1 < blocks_.size() ? T(1.0) : busy();
+      internal += mine * response.internal_work;
+      hourglass += mine * response.hourglass_work;
+      bulk_viscosity += mine * response.bulk_viscosity_work;
+    }
+    if (!all(volume > 0.0)) explain_inversion(nodes);
+    ledger.internal.book(static_cast<double>(reduce_sum(internal)));
+    ledger.hourglass.book(static_cast<double>(reduce_sum(hourglass)));
+    ledger.bulk_viscosity.book(static_cast<double>(reduce_sum(bulk_viscosity)));
+
+    StableStep stable{.part = number_};
+    for (std::size_t l = 0; l < width; ++l)
+      if (lane(least, l) < stable.dt)
+        stable.dt = static_cast<double>(lane(least, l)),
+        stable.element = std::min(static_cast<std::size_t>(lane(where, l)) * width + l, size_ - 1);
+    return stable;
+  }
+
+  std::size_t size() const { return size_; }
+  const E& element() const { return element_; }
+  const M& material() const { return material_; }
+
+  /// The nodes of element e.
+  std::array<Index, n> cell(std::size_t e) const {
+    std::array<Index, n> c;
+    for (std::size_t i = 0; i < n; ++i) c[i] = blocks_[e / width].nodes[i][e % width];
+    return c;
+  }
+  /// The elements' nodes, in the order in which they were given.
+  Cells<n> cells() const {
+    Cells<n> all_cells(size_);
+    for (std::size_t e = 0; e < size_; ++e) all_cells[e] = cell(e);
+    return all_cells;
+  }
+
+  /// A number per element, f(material state), the mean over the element's points: part.field([](const auto& s) { return
+  /// s.stress.zz; }).
+  template <class F>
+  std::vector<double> field(F f) const {
+    std::vector<double> values(size_);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      T sum = T(0.0);
+      double points = 0;
+      blocks_[b].state.each_point([&](const auto& state) { sum += f(state), points += 1; });
+      for (std::size_t l = 0; l < count(b); ++l) values[b * width + l] = static_cast<double>(lane(sum, l)) / points;
+    }
+    return values;
+  }
+
+  std::vector<Block>& blocks() { return blocks_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+
+  std::string name(std::size_t e) const {
+    return "element " + std::to_string(std::min(e, size_ - 1)) + " of part " + std::to_string(number_);
+  }
+  std::string place(const Nodes<Real>& nodes, std::size_t e) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Index i : cell(e)) sum += nodes.x(i).template cast<double>();
+    return detail::text(Eigen::Vector3d(sum / static_cast<double>(n)));
+  }
+
+ private:
+  std::size_t count(std::size_t b) const { return b + 1 < blocks_.size() ? width : size_ - b * width; }
+  T busy() const {
+    T ones = T(0.0);
+    for (std::size_t l = 0; l < count(blocks_.size() - 1); ++l) set_lane(ones, l, Real(1));
+    return ones;
+  }
+
+  [[noreturn]] void explain_inversion(const Nodes<Real>& nodes) const {
+    for (std::size_t e = 0; e < size_; ++e) {
+      State scratch = blocks_[e / width].state;
+      const auto& block_nodes = blocks_[e / width].nodes;
+      const T volume = element_
+                           .advance(scratch, material_, gather<T, n>(nodes.position(), block_nodes),
+                                    gather<T, n>(nodes.velocity(), block_nodes), 0.0)
+                           .volume;
+      if (!(lane(volume, e % width) > 0))
+        throw Error(name(e) + " at " + place(nodes, e) + " is inverted (volume " +
+                    detail::text(static_cast<double>(lane(volume, e % width))) +
+                    "); refine the mesh there, use a smaller step factor or let the material fail");
+    }
+    throw Error("part " + std::to_string(number_) + " has an element whose volume is not a number");
+  }
+
+  E element_;
+  M material_;
+  std::size_t size_;
+  std::size_t number_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace strike

@@ -1,0 +1,77 @@
+#pragma once
+#include <concepts>
+#include <tuple>
+
+#include <strike/material/elastic.hpp>
+#include <strike/material/material.hpp>
+
+namespace strike {
+
+/// Values at the n nodes of an element, a column each.
+template <class T, int n>
+using Nodal = Eigen::Matrix<T, 3, n>;
+
+/// What an element answers to a step.
+template <class T, int n>
+struct Response {
+  Nodal<T, n> force;      ///< on the element's nodes that deform it, B sigma: the mesh feels its negative
+  T volume;               ///< at the end of the step; not positive: the element is inverted
+  T stable_step;          ///< the largest step that this element alone allows next
+  T internal_work;        ///< done on the material in the step
+  T hourglass_work;       ///< done against the hourglass control
+  T bulk_viscosity_work;  ///< dissipated by the bulk viscosity
+};
+
+/// An element: it measures the motion of its nodes, turns what its material remembers, asks the material, and gives
+/// forces.
+///
+/// A model has
+/// - `Kinematics`, which must be the material's, and the number of its `nodes`;
+/// - `State<M, T>`: what it remembers, with `each_point(f)` over the states of its material points;
+/// - `begin(state, material, x)`: sets the state at rest at the positions x and returns the mass of each of its nodes;
+/// - `advance(state, material, x, v, dt)`: advances the state over the step dt that ended at the positions x, through
+/// which
+///   the nodes moved at the velocities v, and returns the Response.
+/// Laws (see tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
+/// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
+/// and creates no energy.
+template <class E, class M = Elastic>
+concept Element = std::same_as<typename E::Kinematics, typename M::Kinematics> &&
+    requires(const E e, typename E::template State<M, double> state, const M m, const Nodal<double, E::nodes> x) {
+  { e.begin(state, m, x) } -> std::convertible_to<double>;
+  { e.advance(state, m, x, x, 1.0) } -> std::same_as<Response<double, E::nodes>>;
+};
+
+/// Turns every spatial tensor that the state declares.
+template <class Turn, class State>
+void turn_tensors(const Turn& turn, State& state) {
+  if constexpr (requires { state.spatial_tensors(); })
+    std::apply([&](auto&... tensor) { ((tensor = turn(tensor)), ...); }, state.spatial_tensors());
+}
+
+/// The velocity gradient at the end of a step, as it is: cheaper, and a rotation by theta per step strains by 1 -
+/// cos(theta).
+struct EndStep {
+  template <class T>
+  Matrix3<T> operator()(const Matrix3<T>& L, double) const {
+    return L;
+  }
+};
+
+/// The velocity gradient in the middle of the step from that at its end, L_mid = L (I - dt/2 L)^-1: exact in a
+/// homogeneous motion, and a rotation strains nothing.
+struct MidStep {
+  template <class T>
+  Matrix3<T> operator()(const Matrix3<T>& L, double dt) const {
+    const T h = -0.5 * dt;
+    Vector3<T> p = h * L.col(0), q = h * L.col(1), r = h * L.col(2);
+    p(0) += 1.0, q(1) += 1.0, r(2) += 1.0;
+    const Vector3<T> qr = q.cross(r), rp = r.cross(p), pq = p.cross(q);
+    const T w = 1.0 / p.dot(qr);
+    Matrix3<T> mid;
+    for (int j = 0; j < 3; ++j) mid.col(j) = w * (L.col(0) * qr(j) + L.col(1) * rp(j) + L.col(2) * pq(j));
+    return mid;
+  }
+};
+
+}  // namespace strike

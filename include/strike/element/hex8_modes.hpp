@@ -1,0 +1,76 @@
+#pragma once
+#include <strike/element/element.hpp>
+
+namespace strike {
+
+/// The eight nodal vectors of a hexahedron in the modes of the reference cube: m_k = sum_I Lambda_kI x_I, with
+/// Lambda_kI = +-1 the value of xi, eta, zeta, eta zeta, zeta xi, xi eta and xi eta zeta at corner I. (Their sum, the
+/// eighth mode, moves nothing.) The trilinear map is x = (sum of x_I + a1 xi + a2 eta + a3 zeta + b1 eta zeta + b2 zeta
+/// xi + b3 xi eta + d xi eta zeta)/8.
+template <class T>
+struct Hex8Modes {
+  Vector3<T> a1, a2, a3, b1, b2, b3, d;
+};
+
+/// Nodes to modes: a butterfly along each direction, 23 additions a component.
+template <class T>
+Hex8Modes<T> to_modes(const Nodal<T, 8>& x) {
+  const Vector3<T> s01 = x.col(1) + x.col(0), d01 = x.col(1) - x.col(0), s32 = x.col(2) + x.col(3),
+                   d32 = x.col(2) - x.col(3);
+  const Vector3<T> s45 = x.col(5) + x.col(4), d45 = x.col(5) - x.col(4), s76 = x.col(6) + x.col(7),
+                   d76 = x.col(6) - x.col(7);
+  const Vector3<T> sb = s32 + s01, st = s76 + s45, eb = s32 - s01, et = s76 - s45;
+  const Vector3<T> xb = d32 + d01, xt = d76 + d45, hb = d32 - d01, ht = d76 - d45;
+  return {xt + xb, et + eb, st - sb, et - eb, xt - xb, ht + hb, ht - hb};
+}
+
+/// Modes to nodes, the transposed butterfly: f_I = sum_k Lambda_kI F_k.
+template <class T>
+Nodal<T, 8> to_nodes(const Hex8Modes<T>& F) {
+  const Vector3<T> xt = F.a1 + F.b2, xb = F.a1 - F.b2, et = F.a2 + F.b1, eb = F.a2 - F.b1, ht = F.b3 + F.d,
+                   hb = F.b3 - F.d;
+  const Vector3<T> d76 = xt + ht, d45 = xt - ht, d32 = xb + hb, d01 = xb - hb;
+  const Vector3<T> s76 = F.a3 + et, s45 = F.a3 - et, s32 = eb - F.a3, s01 = -F.a3 - eb;
+  Nodal<T, 8> f;
+  f << s01 - d01, s01 + d01, s32 + d32, s32 - d32, s45 - d45, s45 + d45, s76 + d76, s76 - d76;
+  return f;
+}
+
+/// The mean gradient of the trilinear hexahedron (Flanagan and Belytschko 1981, eq. 16), in modes:
+///   64 V = det(a1, a2, a3) + (det(a1, b3, b2) + det(b3, a2, b1) + det(b2, b1, a3))/3,   g_k = d(64 V)/d m_k;
+/// d does not enter. In the nodes B_I = dV/dx_I = sum_k Lambda_kI g_k/64.
+template <class T>
+struct Hex8Gradient {
+  Vector3<T> a1, a2, a3, b1, b2, b3;
+  T volume;
+
+  explicit Hex8Gradient(const Hex8Modes<T>& m)
+      : a1(m.a2.cross(m.a3) + T(1.0 / 3.0) * m.b3.cross(m.b2)),
+        a2(m.a3.cross(m.a1) + T(1.0 / 3.0) * m.b1.cross(m.b3)),
+        a3(m.a1.cross(m.a2) + T(1.0 / 3.0) * m.b2.cross(m.b1)),
+        b1(T(1.0 / 3.0) * (m.b3.cross(m.a2) + m.a3.cross(m.b2))),
+        b2(T(1.0 / 3.0) * (m.a1.cross(m.b3) + m.b1.cross(m.a3))),
+        b3(T(1.0 / 3.0) * (m.b2.cross(m.a1) + m.a2.cross(m.b1))),
+        volume(T(1.0 / 192.0) *
+               (m.a1.dot(a1) + m.a2.dot(a2) + m.a3.dot(a3) + m.b1.dot(b1) + m.b2.dot(b2) + m.b3.dot(b3))) {}
+
+  /// L_ij = du_i/dx_j, the mean over the element: sum_k u_k (x) g_k / (64 V).
+  Matrix3<T> gradient_of(const Hex8Modes<T>& u) const {
+    const T w = 1.0 / (64.0 * volume);
+    Matrix3<T> L;
+    for (int j = 0; j < 3; ++j)
+      L.col(j) = w * (u.a1 * a1(j) + u.a2 * a2(j) + u.a3 * a3(j) + u.b1 * b1(j) + u.b2 * b2(j) + u.b3 * b3(j));
+    return L;
+  }
+
+  /// B_iI B_jI = sum_k g_k (x) g_k / 512.
+  SymmetricTensor<T> squared() const {
+    const auto sum = [&](int i, int j) -> T {
+      return T(1.0 / 512.0) *
+             (a1(i) * a1(j) + a2(i) * a2(j) + a3(i) * a3(j) + b1(i) * b1(j) + b2(i) * b2(j) + b3(i) * b3(j));
+    };
+    return {sum(0, 0), sum(1, 1), sum(2, 2), sum(0, 1), sum(1, 2), sum(2, 0)};
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,31 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include <strike/mesh/mesh.hpp>
+
+namespace strike {
+
+/// The velocity of some or all nodes at the begin.
+class InitialVelocity {
+ public:
+  explicit InitialVelocity(Eigen::Vector3d velocity) : velocity_(std::move(velocity)), everywhere_(true) {}
+  InitialVelocity(Eigen::Vector3d velocity, std::vector<Index> nodes)
+      : velocity_(std::move(velocity)), nodes_(std::move(nodes)) {}
+
+  template <class N>
+  void begin(N& nodes) const {
+    using Vector = typename N::Vector;
+    const Vector v = velocity_.cast<typename Vector::Scalar>();
+    if (everywhere_)
+      for (std::size_t i = 0; i < nodes.size(); ++i) nodes.v(i) = v;
+    for (const Index i : nodes_) nodes.v(i) = v;
+  }
+
+ private:
+  Eigen::Vector3d velocity_;
+  bool everywhere_ = false;
+  std::vector<Index> nodes_;
+};
+
+}  // namespace strike

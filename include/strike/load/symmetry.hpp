@@ -1,0 +1,36 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include <strike/mesh/nodes.hpp>
+#include <strike/mesh/select.hpp>
+
+namespace strike {
+
+/// Nodes that do not move along a direction: those in a plane of symmetry along its normal, or any that slide.
+class Symmetry {
+ public:
+  Symmetry(const Eigen::Vector3d& normal, std::vector<Index> nodes)
+      : normal_(normal.normalized()), nodes_(std::move(nodes)) {}
+  Symmetry(Axis axis, std::vector<Index> nodes) : Symmetry(unit(axis), std::move(nodes)) {}
+
+  template <class N, class Ledger>
+  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
+    using Vector = typename N::Vector;
+    using Real = typename Vector::Scalar;
+    const Vector normal = normal_.cast<Real>();
+    for (const Index i : nodes_) {
+      const Real v = nodes.v(i).dot(normal), m = nodes.mass(i);
+      const Real before = v - static_cast<Real>(step.kick()) / m * nodes.f(i).dot(normal);
+      nodes.v(i) -= v * normal;
+      ledger.contact.book_impulse(static_cast<double>(m * v * before),
+                                  0);  // not zero only where a node strikes the plane
+    }
+  }
+
+ private:
+  Eigen::Vector3d normal_;
+  std::vector<Index> nodes_;
+};
+
+}  // namespace strike

@@ -1,0 +1,14 @@
+#pragma once
+#include <strike/material/elastic.hpp>
+#include <strike/material/eos/cubic.hpp>
+#include <strike/material/eos/gruneisen.hpp>
+#include <strike/material/eos/ideal_gas.hpp>
+#include <strike/material/eos/linear.hpp>
+#include <strike/material/eos/polynomial.hpp>
+#include <strike/material/failure/failure.hpp>
+#include <strike/material/fluid.hpp>
+#include <strike/material/material.hpp>
+#include <strike/material/solid.hpp>
+#include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/von_mises.hpp>

@@ -1,0 +1,23 @@
+#pragma once
+#include <limits>
+
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// p = C1 mu + C2 mu^2 + C3 mu^3 without energy: a liquid, and the bird of Brockman and Held (1991). The quadratic term
+/// acts in compression only, and no pressure falls below the cut-off. A shock velocity U = c + k u gives C1 = rho c^2,
+/// C2 = (2k - 1) C1, C3 = (k - 1)(3k - 1) C1.
+struct CubicEos {
+  double density;  ///< reference density
+  double C1, C2 = 0, C3 = 0;
+  double pressure_cutoff = std::numeric_limits<double>::lowest();
+
+  template <class T>
+  T A(const T& mu) const {
+    const T compression = max(mu, T(0.0));
+    return mu * (C1 + C3 * mu * mu) + C2 * compression * compression;
+  }
+};
+
+}  // namespace strike

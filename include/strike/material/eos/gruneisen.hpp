@@ -1,0 +1,36 @@
+#pragma once
+#include <limits>
+
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// Mie-Gruneisen with a cubic shock velocity, in the form of LS-DYNA *EOS_GRUNEISEN (Steinberg 1996):
+///   p = rho0 c^2 mu [1 + (1 - g/2) mu - a/2 mu^2] / [1 - (S1 - 1) mu - S2 mu^2/(mu + 1) - S3 mu^3/(mu + 1)^2]^2 + (g +
+///   a mu) E
+/// in compression and p = rho0 c^2 mu + (g + a mu) E in tension; no pressure falls below the cut-off.
+struct GruneisenEos {
+  double density;      ///< reference density rho0
+  double sound_speed;  ///< c, the intercept of the shock velocity U = c + S1 u
+  double S1, S2 = 0, S3 = 0;
+  double gamma;               ///< g, the Gruneisen coefficient
+  double a = 0;               ///< first-order volume correction of gamma
+  double initial_energy = 0;  ///< E at rest
+  double pressure_cutoff = std::numeric_limits<double>::lowest();
+
+  template <class T>
+  T A(const T& mu) const {
+    const double K = density * sound_speed * sound_speed;
+    const T m = max(mu, T(0.0));
+    const T part = m / (m + 1.0);
+    const T slope = 1.0 - m * ((S1 - 1.0) + part * (S2 + part * S3));
+    const T hugoniot = K * m * (1.0 + m * ((1.0 - 0.5 * gamma) - 0.5 * a * m)) / (slope * slope);
+    return select(mu < 0.0, K * mu, hugoniot);
+  }
+  template <class T>
+  T B(const T& mu) const {
+    return gamma + a * mu;
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,28 @@
+#pragma once
+#include <limits>
+
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// p = C0 + C1 mu + C2 mu^2 + C3 mu^3 + (C4 + C5 mu + C6 mu^2) E; the terms of C2 and C6 act in compression only
+/// (LS-DYNA *EOS_LINEAR_POLYNOMIAL; RADIOSS /EOS/POLYNOMIAL), and no pressure falls below the cut-off.
+struct PolynomialEos {
+  double density;  ///< reference density
+  double C0 = 0, C1 = 0, C2 = 0, C3 = 0, C4 = 0, C5 = 0, C6 = 0;
+  double initial_energy = 0;  ///< E at rest
+  double pressure_cutoff = std::numeric_limits<double>::lowest();
+
+  template <class T>
+  T A(const T& mu) const {
+    const T compression = max(mu, T(0.0));
+    return C0 + mu * (C1 + C3 * mu * mu) + C2 * compression * compression;
+  }
+  template <class T>
+  T B(const T& mu) const {
+    const T compression = max(mu, T(0.0));
+    return C4 + C5 * mu + C6 * compression * compression;
+  }
+};
+
+}  // namespace strike

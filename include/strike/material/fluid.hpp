@@ -1,0 +1,71 @@
+#pragma once
+#include <strike/material/eos/eos.hpp>
+#include <strike/material/material.hpp>
+
+namespace strike {
+
+/// No resistance to a change of shape at all.
+struct Inviscid {};
+
+/// s = 2 eta dev(D).
+struct Newtonian {
+  double viscosity;  ///< eta, dynamic [stress time]
+};
+
+/// A fluid: an equation of state, and if it is viscous a viscosity. It remembers its pressure, so it has nothing to
+/// turn.
+template <EquationOfState Eos, class Viscosity = Inviscid>
+struct Fluid {
+  Eos eos;
+  [[no_unique_address]] Viscosity viscous{};
+
+  using Kinematics = SolidKinematics;
+
+  template <class T>
+  struct State : EosState<Eos, T> {
+    T pressure{};
+  };
+
+  double density() const { return eos.density; }
+  /// The state before the first step.
+  template <class T>
+  void begin(State<T>& state) const {
+    state = {};
+    state.pressure = begin_eos(eos, state);
+  }
+  double viscosity() const requires requires(Viscosity v) { v.viscosity; }
+  { return viscous.viscosity; }
+
+  template <class T>
+  SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {
+    const T& J = rate.relative_volume;
+    const T dv = volume_increment<T>(J, dt * trace(rate.rate_of_deformation));
+    if constexpr (requires { viscous.viscosity; }) {
+      const SymmetricTensor<T> d = deviator(rate.rate_of_deformation);
+      const SymmetricTensor<T> s = T(2.0 * viscous.viscosity) * d;
+      state.pressure =
+          advance_pressure<Eos, State<T>, T>(eos, state, J, dv, state.pressure, (J - 0.5 * dv) * double_dot(s, d) * dt);
+      return s - SymmetricTensor<T>::isotropic(state.pressure);
+    } else {
+      state.pressure = advance_pressure<Eos, State<T>, T>(eos, state, J, dv, state.pressure, T(0.0));
+      return SymmetricTensor<T>::isotropic(-state.pressure);
+    }
+  }
+
+  template <class T>
+  SymmetricTensor<T> stress(const State<T>& state) const {
+    return SymmetricTensor<T>::isotropic(-state.pressure);
+  }
+
+  template <class T>
+  Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
+    return {strike::bulk_modulus(eos, state, rate.relative_volume, state.pressure), T(0.0)};
+  }
+};
+
+template <class Eos>
+Fluid(Eos) -> Fluid<Eos>;
+template <class Eos, class Viscosity>
+Fluid(Eos, Viscosity) -> Fluid<Eos, Viscosity>;
+
+}  // namespace strike

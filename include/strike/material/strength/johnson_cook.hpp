@@ -1,0 +1,23 @@
+#pragma once
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// Johnson and Cook (1983): sigma = (A + B e^n) (1 + C ln(max(r/r0, 1))) (1 - T*^m), T* = (T - T0)/(Tm - T0) in [0, 1],
+/// heated by its own plastic work.
+struct JohnsonCook {
+  double shear_modulus;
+  double A, B, n;
+  double C = 0, reference_rate = 1;  ///< r0 [1/time]
+  double m = 1, initial_temperature = 293, melting_temperature = 1e30;
+  double heating = 0;  ///< rise of temperature per plastic work, 0.9/(rho0 c_p) [temperature volume/energy]
+
+  template <class T>
+  T flow_stress(const T& e, const T& rate, const T& temperature) const {
+    const T homologous = (temperature - initial_temperature) * (1.0 / (melting_temperature - initial_temperature));
+    const T softening = pow(max(T(0.0), min(T(1.0), homologous)), T(m));
+    return (A + B * pow(e, T(n))) * (1.0 + C * log(max(rate * (1.0 / reference_rate), T(1.0)))) * (1.0 - softening);
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,49 @@
+#pragma once
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// Von Mises plasticity of X3D (Brockman and Held 1991): linear hardening and a power-law correction for the rate,
+///   sigma = (Y + H e) (1 + C r^n),
+/// in which the hardening is scaled too. Cowper and Symonds' D and p are C = D^(-1/p), n = 1/p.
+struct RateVonMises {
+  double shear_modulus;          ///< G
+  double yield_stress;           ///< Y, quasi-static
+  double hardening_modulus = 0;  ///< H >= 0
+  double rate_factor = 0;        ///< C [time^n]
+  double rate_exponent = 1;      ///< n > 0
+
+  template <class T>
+  T flow_stress(const T& e, const T& rate) const {
+    return (yield_stress + hardening_modulus * e) * (1.0 + rate_factor * pow(rate, T(rate_exponent)));
+  }
+
+  /// The rate-independent increment dl0 bounds the root, so that dl = dl0 z^a with z in [0, 1]. With a = max(1/n, 1)
+  /// and b = max(n, 1)
+  ///   f(z) = q - 3 G dl0 z^a - (Y + H (e + dl0 z^a)) (1 + C (dl0/dt)^n z^b)
+  /// is smooth, falling and concave, f(1) <= 0: Newton's steps from z = 1 go down to the root and never past it, at any
+  /// rate.
+  template <class T>
+  T plastic_increment(const T& q, const T& e, double dt) const {
+    const double G3 = 3.0 * shear_modulus;
+    const T quasi_static = yield_stress + hardening_modulus * e;
+    const T dl0 = max(T(0.0), q - quasi_static) * (1.0 / (G3 + hardening_modulus));
+    if (!(dt > 0) || rate_factor == 0 || !any(dl0 > 0.0)) return dl0;
+    const double a = rate_exponent < 1 ? 1 / rate_exponent : 1, b = rate_exponent < 1 ? 1 : rate_exponent;
+    const T growth = rate_factor * pow(dl0 / dt, T(rate_exponent));
+    T z = T(1.0), za = T(1.0), zb = T(1.0);
+    for (int i = 0; i < 50; ++i) {
+      const T sigma = quasi_static + hardening_modulus * dl0 * za;
+      const T f = q - G3 * dl0 * za - sigma * (1.0 + growth * zb);
+      const T slope = (G3 + hardening_modulus * (1.0 + growth * zb)) * dl0 * a * za + sigma * growth * b * zb;  // -z f'
+      const T change = select(dl0 > 0.0, f / slope, T(0.0));
+      z = max(T(0.0), z * (1.0 + change));
+      za = a == 1 ? z : pow(z, T(a));
+      zb = b == 1 ? z : pow(z, T(b));
+      if (!any(abs(change) > 1e-15)) break;
+    }
+    return dl0 * za;
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,152 @@
+#pragma once
+#include <concepts>
+
+#include <strike/scalar/dual.hpp>
+#include <strike/tensor/tensor.hpp>
+
+namespace strike {
+
+/// A law of isotropic plasticity (von Mises): an aggregate with its `shear_modulus` and one formula,
+///   flow_stress(equivalent_plastic_strain),                            or
+///   flow_stress(equivalent_plastic_strain, rate),                      or
+///   flow_stress(equivalent_plastic_strain, rate, temperature)  with  initial_temperature  and  heating, the rise of
+/// the temperature per plastic work [temperature volume/energy]. All the rest follows. A law that knows its plastic
+/// increment in closed form, or a better way to it, gives it as `plastic_increment(q, equivalent_plastic_strain, dt)`.
+/// Laws: the flow stress is not negative and does not fall with the rate.
+template <class S>
+concept RateIndependentFlow = requires(const S law, double x) {
+  { law.shear_modulus } -> std::convertible_to<double>;
+  { law.flow_stress(x) } -> std::convertible_to<double>;
+};
+template <class S>
+concept RateDependentFlow = requires(const S law, double x) {
+  { law.shear_modulus } -> std::convertible_to<double>;
+  { law.flow_stress(x, x) } -> std::convertible_to<double>;
+};
+template <class S>
+concept ThermalFlow = requires(const S law, double x) {
+  { law.shear_modulus } -> std::convertible_to<double>;
+  { law.flow_stress(x, x, x) } -> std::convertible_to<double>;
+  { law.heating } -> std::convertible_to<double>;
+  { law.initial_temperature } -> std::convertible_to<double>;
+};
+template <class S>
+concept FlowLaw = RateIndependentFlow<S> || RateDependentFlow<S> || ThermalFlow<S>;
+
+/// How a solid resists a change of shape: a flow law, or a model of its own that has a `shear_modulus` and
+/// `deviatoric_stress(s, d)`: the new deviator from the old one (already turned) and the deviatoric strain increment d.
+template <class S>
+concept Strength = FlowLaw<S> || requires(const S strength, const SymmetricTensor<double> s) {
+  { strength.shear_modulus } -> std::convertible_to<double>;
+  { strength.deviatoric_stress(s, s) } -> std::same_as<SymmetricTensor<double>>;
+};
+
+/// No plasticity: Hooke's law for the deviator.
+struct ElasticStrength {
+  double shear_modulus;
+
+  template <class T>
+  SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>& d) const {
+    return s + T(2.0 * shear_modulus) * d;
+  }
+};
+
+namespace detail {
+
+struct NoPlasticity {
+  template <class T>
+  struct State {};
+};
+struct Plasticity {
+  template <class T>
+  struct State {
+    T equivalent_plastic_strain{};
+  };
+};
+struct ThermalPlasticity {
+  template <class T>
+  struct State {
+    T equivalent_plastic_strain{};
+    T temperature_rise{};
+  };
+};
+template <class S>
+constexpr auto strength_state() {
+  if constexpr (ThermalFlow<S>)
+    return ThermalPlasticity{};
+  else if constexpr (FlowLaw<S>)
+    return Plasticity{};
+  else
+    return NoPlasticity{};
+}
+
+/// The root x in [0, 1] of a falling f, by Newton steps that a bracket keeps safe; `active` marks the lanes that count.
+/// f takes and gives Dual<T, 1>; `tolerance` is in the units of f.
+template <class T, class F, class M>
+T falling_root(F f, const M& active, const T& tolerance) {
+  T lower = T(0.0), upper = T(1.0), x = T(1.0);
+  for (int i = 0; i < 100; ++i) {
+    const Dual<T, 1> y = f(Dual<T, 1>::variable(x, 0));
+    if (!any(active && abs(y.value()) > tolerance)) break;
+    lower = select(y.value() >= 0.0, x, lower);
+    upper = select(y.value() >= 0.0, upper, x);
+    const T newton = x - y.value() / y.derivative(0);
+    x = select(newton > lower && newton < upper, newton, 0.5 * (lower + upper));
+  }
+  return x;
+}
+
+}  // namespace detail
+
+/// What a material with this strength has to remember for it besides the stress.
+template <Strength S, class T>
+using StrengthState = typename decltype(detail::strength_state<S>())::template State<T>;
+
+/// The equivalent plastic strain that brings the trial equivalent stress q back to the yield surface, implicit in the
+/// strain and the rate: q - 3 G dl = flow_stress(e + dl, dl/dt).
+template <FlowLaw S, class T>
+T plastic_increment(const S& law, const StrengthState<S, T>& state, const T& q, double dt) {
+  const T& e = state.equivalent_plastic_strain;
+  if constexpr (requires { law.plastic_increment(q, e, dt); }) {
+    return law.plastic_increment(q, e, dt);
+  } else {
+    const auto flow_stress = [&](const auto& strain, const auto& rate) {
+      if constexpr (ThermalFlow<S>) {
+        using U = std::decay_t<decltype(strain)>;
+        return U(law.flow_stress(strain, rate, U(law.initial_temperature + state.temperature_rise)));
+      } else if constexpr (RateDependentFlow<S>) {
+        return std::decay_t<decltype(strain)>(law.flow_stress(strain, rate));
+      } else {
+        return (void)rate, std::decay_t<decltype(strain)>(law.flow_stress(strain));
+      }
+    };
+    const T excess = q - flow_stress(e, T(0.0));
+    const auto yields = excess > 0.0;
+    if (!(dt > 0) || !any(yields)) return T(0.0);
+    const double G3 = 3.0 * law.shear_modulus;
+    const T most = q / G3;  // all of the trial stress
+    using D = Dual<T, 1>;
+    const auto residual = [&](const D& x) -> D { return q - q * x - flow_stress(e + most * x, D(most / dt * x)); };
+    return select(yields, most * detail::falling_root<T>(residual, yields, 1e-13 * q), T(0.0));
+  }
+}
+
+/// The deviator of the stress at the end of a step: elastic trial, then the radial return of Wilkins (1964) and Krieg
+/// and Key (1976). s is the old deviator, already turned; d the deviatoric strain increment.
+template <Strength S, class State, class T>
+SymmetricTensor<T> advance_deviator(const S& law, State& state, const SymmetricTensor<T>& s,
+                                    const SymmetricTensor<T>& d, double dt) {
+  if constexpr (FlowLaw<S>) {
+    const SymmetricTensor<T> trial = s + T(2.0 * law.shear_modulus) * d;
+    const T q = equivalent_stress(trial);
+    const T dl = plastic_increment<S, T>(law, state, q, dt);
+    const T returned = q - 3.0 * law.shear_modulus * dl;
+    state.equivalent_plastic_strain += dl;
+    if constexpr (ThermalFlow<S>) state.temperature_rise += law.heating * returned * dl;
+    return select(dl > 0.0, returned / q, T(1.0)) * trial;
+  } else {
+    return (void)state, (void)dt, law.deviatoric_stress(s, d);
+  }
+}
+
+}  // namespace strike

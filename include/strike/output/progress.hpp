@@ -1,0 +1,94 @@
+#pragma once
+#include <chrono>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
+namespace strike {
+
+/// When the progress line is shown.
+enum class Show { on_terminal, always, never };
+
+/// Parameters of a progress line.
+struct ProgressOptions {
+  double end;                     ///< time at which the run ends [time]
+  std::string unit = {};          ///< of time
+  Show show = Show::on_terminal;  ///< by default only to a person
+  std::FILE* stream = stderr;
+};
+
+/// One line on a terminal that tells how far a run is: percent, time, step, energy error, estimated rest. Call it after
+/// each step: `progress(t, step, [&] { return ledger.error(); })`. The error (relative) may be a number or a function that
+/// is called only if a line is drawn. It draws at most four times a second and looks at the clock about forty times; a
+/// call between costs a comparison.
+class Progress {
+ public:
+  explicit Progress(const ProgressOptions& options) : options_(options) {
+    bool shown = options.show == Show::always;
+#if __has_include(<unistd.h>)
+    if (options.show == Show::on_terminal) shown = ::isatty(::fileno(options.stream)) == 1;
+#endif
+    if (!shown) next_look_ = never;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() {
+    if (drawn_) std::fputc('\n', options_.stream);
+  }
+
+  template <class Error>
+    requires std::convertible_to<Error, double> || std::invocable<Error&>
+  void operator()(double time, std::uint64_t step, Error&& energy_error) {
+    if (++calls_ < next_look_) return;
+    const double now = seconds();
+    // Looks spread over calls so that about 25 ms lie between two.
+    const double since_look = now - last_look_;
+    stride_ = since_look < 0.0125 ? 2 * stride_ : since_look > 0.05 && stride_ > 1 ? stride_ / 2 : stride_;
+    next_look_ = calls_ + stride_;
+    last_look_ = now;
+    if (drawn_ && now - last_drawn_ < 0.25 && time < options_.end) return;
+    last_drawn_ = now;
+    if constexpr (std::invocable<Error&>) draw(time, step, energy_error(), now);
+    else draw(time, step, energy_error, now);
+  }
+
+ private:
+  static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+  void draw(double time, std::uint64_t step, double energy_error, double now) {
+    const double done = options_.end > 0 ? time / options_.end : 1;
+    char rest[48] = "";
+    if (done >= 1) std::snprintf(rest, sizeof rest, "%s in all", duration(now).c_str());
+    else if (done > 0 && now > 0.5) std::snprintf(rest, sizeof rest, "%s left", duration(now / done - now).c_str());
+    std::fprintf(options_.stream, "\r\033[K%3.0f %%  t = %.4g of %.4g %s  step %llu  energy error %.2g %%  %s",
+                 std::floor(100 * done), time, options_.end, options_.unit.c_str(),
+                 static_cast<unsigned long long>(step), 100 * energy_error, rest);
+    std::fflush(options_.stream);
+    drawn_ = true;
+  }
+
+  static std::string duration(double s) {
+    char text[32];
+    if (s < 90) std::snprintf(text, sizeof text, "%.0f s", s);
+    else if (s < 5400) std::snprintf(text, sizeof text, "%.0f min", s / 60);
+    else std::snprintf(text, sizeof text, "%.1f h", s / 3600);
+    return text;
+  }
+
+  ProgressOptions options_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::uint64_t calls_ = 0, next_look_ = 1, stride_ = 1;
+  double last_look_ = 0, last_drawn_ = 0;
+  bool drawn_ = false;
+};
+
+}  // namespace strike

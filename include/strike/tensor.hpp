@@ -1,0 +1,3 @@
+#pragma once
+#include <strike/tensor/rotation.hpp>
+#include <strike/tensor/tensor.hpp>

@@ -1,0 +1,72 @@
+#pragma once
+#include <concepts>
+
+#include <strike/tensor/tensor.hpp>
+
+namespace strike {
+
+/// Q A Q^T.
+template <class T>
+SymmetricTensor<T> rotated(const Matrix3<T>& Q, const SymmetricTensor<T>& A) {
+  const Vector3<T> x = A.xx * Q.col(0) + A.xy * Q.col(1) + A.zx * Q.col(2);
+  const Vector3<T> y = A.xy * Q.col(0) + A.yy * Q.col(1) + A.yz * Q.col(2);
+  const Vector3<T> z = A.zx * Q.col(0) + A.yz * Q.col(1) + A.zz * Q.col(2);
+  const auto component = [&](int i, int j) -> T { return x(i) * Q(j, 0) + y(i) * Q(j, 1) + z(i) * Q(j, 2); };
+  return {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)};
+}
+
+/// How the spatial tensors of a material's state follow the spin of an element during one step.
+/// Law: `turn(w)`, for the axial vector w of the incremental spin (skew(L) dt at mid-step), gives a function that maps
+/// spatial tensors and vectors at the begin of the step to those that a pure rotation leaves at its end.
+template <class R>
+concept Rotation = requires(const R rotation, const Vector3<double> w, const SymmetricTensor<double> A) {
+  { rotation.turn(w)(A) } -> std::same_as<SymmetricTensor<double>>;
+  { rotation.turn(w)(w) } -> std::same_as<Vector3<double>>;
+};
+
+/// The Jaumann rate to first order: A + W A - A W. Cheap; in a rotation by the angle theta per step it lets the
+/// in-plane deviator grow by sqrt(1 + 4 theta^2).
+struct Jaumann {
+  template <class T>
+  struct Turn {
+    Vector3<T> w;
+    SymmetricTensor<T> operator()(const SymmetricTensor<T>& A) const {
+      const T x = w(0), y = w(1), z = w(2);
+      return {A.xx + 2.0 * (y * A.zx - z * A.xy),
+              A.yy + 2.0 * (z * A.xy - x * A.yz),
+              A.zz + 2.0 * (x * A.yz - y * A.zx),
+              A.xy + y * A.yz - x * A.zx + z * (A.xx - A.yy),
+              A.yz + z * A.zx - y * A.xy + x * (A.yy - A.zz),
+              A.zx + x * A.xy - z * A.yz + y * (A.zz - A.xx)};
+    }
+    Vector3<T> operator()(const Vector3<T>& a) const { return a + w.cross(a); }
+  };
+  template <class T>
+  Turn<T> turn(const Vector3<T>& w) const {
+    return {w};
+  }
+};
+
+/// The rotation of Hughes and Winget (1980, eq. 24): Q = I + (W + W^2/2)/(1 + |w|^2/4). Exactly orthogonal, and with
+/// mid-step kinematics exactly the rotation of a rigid motion.
+struct HughesWinget {
+  template <class T>
+  struct Turn {
+    Matrix3<T> Q;
+    SymmetricTensor<T> operator()(const SymmetricTensor<T>& A) const { return rotated(Q, A); }
+    Vector3<T> operator()(const Vector3<T>& a) const { return Q.col(0) * a(0) + Q.col(1) * a(1) + Q.col(2) * a(2); }
+  };
+  template <class T>
+  Turn<T> turn(const Vector3<T>& w) const {
+    const T x = w(0), y = w(1), z = w(2);
+    const T s = 1.0 / (1.0 + 0.25 * (x * x + y * y + z * z));
+    const T h = 0.5 * s;
+    Matrix3<T> Q;
+    Q << 1.0 - h * (y * y + z * z), h * x * y - s * z, h * z * x + s * y,  //
+        h * x * y + s * z, 1.0 - h * (z * z + x * x), h * y * z - s * x,   //
+        h * z * x - s * y, h * y * z + s * x, 1.0 - h * (x * x + y * y);
+    return {Q};
+  }
+};
+
+}  // namespace strike
