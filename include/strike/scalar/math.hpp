@@ -74,13 +74,22 @@ struct RegisterMath {
   static V all(T x) { return V{} + x; }
   static constexpr T power_of_two(int n) { return std::bit_cast<T>(Unsigned(n + B::bias) << B::mantissa_bits); }
 
-  /// c0 + x (c1 + x (c2 + ...))
-  template <class... Coefficients>
-  static V polynomial(const V& x, T c, Coefficients... higher) {
-    if constexpr (sizeof...(higher) == 0)
-      return all(c);
-    else
-      return c + x * polynomial(x, higher...);
+  /// c[0] + c[1] x + c[2] x^2 + ..., in pairs of pairs (Estrin 1960): the chain of dependent operations is short.
+  template <std::size_t n>
+  static V polynomial(const V& x, const T (&c)[n]) {
+    const V x2 = x * x;
+    const V x4 = x2 * x2;
+    const V powers[] = {x, x2, x4, x4 * x4};
+    return polynomial<n>(powers, c);
+  }
+  template <std::size_t n>
+  static V polynomial(const V (&powers)[4], const T* c) {
+    if constexpr (n == 1) {
+      return all(c[0]);
+    } else {
+      constexpr std::size_t half = std::bit_ceil(n) / 2;
+      return polynomial<half>(powers, c) + powers[std::bit_width(half) - 1] * polynomial<n - half>(powers, c + half);
+    }
   }
 
   /// Added to a small number, rounds it to the integer n and leaves n + 2 bias in the low bits.
@@ -91,11 +100,11 @@ struct RegisterMath {
   static V exp_times_power_of_two(const V& r, const V& t) {
     V q;
     if constexpr (std::same_as<T, double>)
-      q = polynomial(r, 0x1.000000000000ap-1, 0x1.55555555554fap-3, 0x1.5555555550866p-5, 0x1.1111111127c51p-7,
-                     0x1.6c16c1842f58ep-10, 0x1.a01a012a3d4cdp-13, 0x1.a01999fd3bb3dp-16, 0x1.71df2575e706fp-19,
-                     0x1.28ad81810f387p-22, 0x1.ad7f5c3b0f5dbp-26);
+      q = polynomial(r, {0x1.000000000000ap-1, 0x1.55555555554fap-3, 0x1.5555555550866p-5, 0x1.1111111127c51p-7,
+                         0x1.6c16c1842f58ep-10, 0x1.a01a012a3d4cdp-13, 0x1.a01999fd3bb3dp-16, 0x1.71df2575e706fp-19,
+                         0x1.28ad81810f387p-22, 0x1.ad7f5c3b0f5dbp-26});
     else
-      q = polynomial(r, 0x1.fffffcp-2f, 0x1.555492p-3f, 0x1.5558f2p-5f, 0x1.1239f8p-7f, 0x1.6a2428p-10f);
+      q = polynomial(r, {0x1.fffffcp-2f, 0x1.555492p-3f, 0x1.5558f2p-5f, 0x1.1239f8p-7f, 0x1.6a2428p-10f});
     const V e_r = T(1) + (r + r * r * q);
     const V half = (t - rounder) * T(0.5) + (rounder - B::bias);
     return e_r * number(bits(half) << B::mantissa_bits) * number((bits(t) - bits(half)) << B::mantissa_bits);
@@ -103,11 +112,11 @@ struct RegisterMath {
 
   /// x = n ln 2 + r (Cody and Waite 1980).
   static V exp(const V& x) {
-    V a = x > B::exp_largest ? all(B::exp_largest) : x;
-    a = a < B::exp_smallest ? all(B::exp_smallest) : a;
-    const V t = a * std::numbers::log2e_v<T> + rounder;
+    const V t = x * std::numbers::log2e_v<T> + rounder;
     const V n = t - rounder;
-    return exp_times_power_of_two((a - n * B::ln2_high) - n * B::ln2_low, t);
+    V y = exp_times_power_of_two((x - n * B::ln2_high) - n * B::ln2_low, t);
+    y = x > B::exp_largest ? all(infinity) : y;
+    return x < B::exp_smallest ? V{} : y;
   }
 
   /// a = 2^k m with sqrt(1/2) <= m < sqrt(2), for finite a > 0.
@@ -127,10 +136,10 @@ struct RegisterMath {
   /// the relative error of the logarithm: 2^-66.3, in float 2^-36.8.
   static V log_series(const V& z) {
     if constexpr (std::same_as<T, double>)
-      return polynomial(z, 0x1.3333333333464p-1, 0x1.b6db6db683c8fp-2, 0x1.555555a20693fp-2, 0x1.1745af6cbf1b9p-2,
-                        0x1.d8ae613bf885dp-3, 0x1.973ff23e2dda8p-3, 0x1.9563469341590p-3);
+      return polynomial(z, {0x1.3333333333464p-1, 0x1.b6db6db683c8fp-2, 0x1.555555a20693fp-2, 0x1.1745af6cbf1b9p-2,
+                            0x1.d8ae613bf885dp-3, 0x1.973ff23e2dda8p-3, 0x1.9563469341590p-3});
     else
-      return polynomial(z, 0x1.333338p-1f, 0x1.b67be6p-2f, 0x1.67b598p-2f);
+      return polynomial(z, {0x1.333338p-1f, 0x1.b67be6p-2f, 0x1.67b598p-2f});
   }
 
   /// With f = m - 1, 2 s = f - s f = f - f^2/2 + s f^2/2 saves the rounding error of s (Ng 1993).
@@ -164,37 +173,34 @@ struct RegisterMath {
     const V g_l = p.m - (g_h - T(1));
     const V s_l = ((f - s_h * g_h) - s_h * g_l) * reciprocal;
 
-    // 3 + s^2 + s^4 W(s^2) = q_h + q_l
+    // q_h + q_l = 3 + s^2 + s^4 W(s^2). Each high part is taken from what is known early.
     const V z = s * s;
     const V z_h = s_h * s_h;
-    const V r = z * z * log_series(z) + s_l * (s_h + s);
-    const V q_h = upper_half(T(3) + (z_h + r));
-    const V q_l = r - ((q_h - T(3)) - z_h);
+    const V q_h = upper_half(T(3) + (z_h + T(0.6) * z * z));
+    const V q_l = (z * z * log_series(z) + s_l * (s_h + s)) - ((q_h - T(3)) - z_h);
 
-    // their product, and 2/3 log2(e) of it
+    // w_h + w_l = s q, c_h + c_l = 2/3 log2(e) s q = log2(m), l_h + l_l = k + log2(m) = log2 |x|
     const V u = s_h * q_h;
-    const V v = s_l * q_h + q_l * s;
-    const V w_h = upper_half(u + v);
-    const V w_l = v - (w_h - u);
+    const V w_h = upper_half(u);
+    const V w_l = (s_l * q_h + q_l * s) + (u - w_h);
     const V c_h = B::two_thirds_log2e_high * w_h;
     const V c_l = B::two_thirds_log2e_low * w_h + (B::two_thirds_log2e_high + B::two_thirds_log2e_low) * w_l;
-
-    // log2 |x| = l_h + l_l
-    V l_h = upper_half(p.k + (c_h + c_l));
+    const V l_h = upper_half(p.k + c_h);
     const V l_l = c_l - ((l_h - p.k) - c_h);
-    const V l = a == T(0) ? all(-infinity) : (a < infinity ? l_h : a);
 
-    // y log2 |x| = e_h + e_l = n + (e_h - n + e_l)
+    // e_h + e_l = y log2 |x|
     const V y_h = upper_half(y);
-    V e = y * l;
-    const auto finite = magnitude(e) < B::exp2_limit;
-    e = e > B::exp2_limit ? all(B::exp2_limit) : e;
-    e = e < -B::exp2_limit ? all(-B::exp2_limit) : e;
-    const V e_h = finite ? y_h * l_h : e;
-    const V e_l = finite ? (y - y_h) * l_h + y * l_l : V{};
+    const V e_h = y_h * l_h;
+    const V e_l = (y - y_h) * l_h + y * l_l;
     const V t = (e_h + e_l) + rounder;
     const V n = t - rounder;
     V result = exp_times_power_of_two(((e_h - n) + e_l) * std::numbers::ln2_v<T>, t);
+
+    // overflow, underflow, |x| = 0, inf, NaN
+    const V l = a == T(0) ? all(-infinity) : (a < infinity ? l_h : a);
+    const V e = y * l;
+    result = e < B::exp2_limit ? result : e + infinity;
+    result = e < -B::exp2_limit ? V{} : result;
 
     // x < 0: the sign of an odd power, NaN for a power that is no integer
     const auto one = (y == T(0)) | (x == T(1));
@@ -238,14 +244,14 @@ struct RegisterMath {
 
     V t = inverse_cbrt_guess(m);
     V e = T(1) - (m * t) * (t * t);
-    t = t + t * e * polynomial(e, T(1.0 / 3), T(2.0 / 9));
+    t = t + t * e * polynomial(e, {T(1.0 / 3), T(2.0 / 9)});
 
     V y = (m * t) * t;
     e = T(1) - y * t;
     if constexpr (std::same_as<T, double>)
-      y = y + y * e * polynomial(e, 2.0 / 3, 5.0 / 9, 40.0 / 81, 110.0 / 243);
+      y = y + y * e * polynomial(e, {2.0 / 3, 5.0 / 9, 40.0 / 81, 110.0 / 243});
     else
-      y = y + y * e * polynomial(e, 2.0f / 3, 5.0f / 9);
+      y = y + y * e * polynomial(e, {2.0f / 3, 5.0f / 9});
 
     y = denormal ? y * power_of_two(-B::denormal_shift / 3) : y;
     y = a < infinity ? y : a;
