@@ -155,12 +155,31 @@ struct RegisterMath {
     return x > T(0) ? y : (x == T(0) ? all(-infinity) : all(nan));
   }
 
+  /// What pow needs to know of y alone, so that it is computed once for a y that stays.
+  struct Exponent {
+    using M = decltype(V{} < V{});
+    V y;  // within 2^(bias - 23), so that it is finite
+    M zero, integer;
+    U odd;  // its sign bit tells
+    explicit Exponent(const V& value) {
+      constexpr T limit = power_of_two(B::bias - 23);
+      y = value > limit ? all(limit) : value;
+      y = y < -limit ? all(-limit) : y;
+      zero = y == T(0);
+      const V a = magnitude(y);
+      const V shifted = a + one_in_integers;  // where the last bit of a number is 1
+      const M large = a >= one_in_integers;
+      integer = large | ((shifted - one_in_integers) == a);
+      const M has_ones = integer & (a < 2 * one_in_integers);
+      odd = (has_ones ? bits(large ? a : shifted) : U{}) << (sizeof(T) * 8 - 1);
+    }
+  };
+
   /// |x|^y = 2^(y log2 |x|), the logarithm in two numbers: y log2 |x| reaches 1075, so that its error needs 10 bits
   /// more than the result has.
-  static V pow(const V& x, const V& y_) {
+  static V pow(const V& x, const Exponent& exponent) {
     const V a = magnitude(x);
-    V y = y_ > T(power_of_two(B::bias - 23)) ? all(power_of_two(B::bias - 23)) : y_;
-    y = y < T(-power_of_two(B::bias - 23)) ? all(-power_of_two(B::bias - 23)) : y;
+    const V y = exponent.y;
 
     // s = (m - 1)/(m + 1) = s_h + s_l
     const Parts p(a);
@@ -202,19 +221,12 @@ struct RegisterMath {
     result = e < B::exp2_limit ? result : e + infinity;
     result = e < -B::exp2_limit ? V{} : result;
 
-    // x < 0: the sign of an odd power, NaN for a power that is no integer
-    const auto one = (y == T(0)) | (x == T(1));
+    const auto one = exponent.zero | (x == T(1));
     result = one ? all(1) : result;
-    const V y_abs = magnitude(y);
-    const auto large = y_abs >= one_in_integers;
-    const V shifted = y_abs + one_in_integers;
-    const auto integer = large | ((shifted - one_in_integers) == y_abs);
-    const U odd = bits(large ? y_abs : shifted) & 1u;
-    const auto below_two = y_abs < 2 * one_in_integers;
-    const auto parity = integer & below_two;
-    const U sign = parity ? (odd << (sizeof(T) * 8 - 1)) & bits(x) : U{};
-    result = number(bits(result) | sign);
-    const auto no_root = (x < T(0)) & (a < infinity) & ~integer;
+
+    // x < 0: the sign of an odd power, NaN for a power that is no integer
+    result = number(bits(result) | (bits(x) & exponent.odd));
+    const auto no_root = (x < T(0)) & (a < infinity) & ~exponent.integer;
     return no_root ? all(nan) : result;
   }
 
@@ -288,8 +300,10 @@ Pack<T, N> log(const Pack<T, N>& x) {
 
 template <class T, std::size_t N>
 Pack<T, N> pow(const Pack<T, N>& x, const std::type_identity_t<Pack<T, N>>& y) {
+  using Math = detail::PackMath<T, N>;
   Pack<T, N> z;
-  for (std::size_t k = 0; k < x.registers; ++k) z.native(k) = detail::PackMath<T, N>::pow(x.native(k), y.native(k));
+  for (std::size_t k = 0; k < x.registers; ++k)
+    z.native(k) = Math::pow(x.native(k), typename Math::Exponent(y.native(k)));
   return z;
 }
 template <class T, std::size_t N, class Number>
