@@ -1,4 +1,5 @@
 #pragma once
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -133,7 +134,13 @@ class Pack {
   }
   friend Pack min(const Pack& a, const Pack& b) { return select(b < a, b, a); }
   friend Pack max(const Pack& a, const Pack& b) { return select(a < b, b, a); }
-  friend Pack abs(const Pack& a) { return max(a, -a); }
+  friend Pack abs(const Pack& a) {
+    constexpr auto sign = std::numeric_limits<detail::SignedOf<T>>::min();
+    Pack c;
+    for (std::size_t k = 0; k < registers; ++k)
+      c.r_[k] = std::bit_cast<Register>(std::bit_cast<typename Mask<T, N>::Register>(a.r_[k]) & ~sign);
+    return c;
+  }
   friend Pack sqrt(const Pack& a) {
     Pack c;
     for (std::size_t k = 0; k < registers; ++k) c.r_[k] = root(a.r_[k]);

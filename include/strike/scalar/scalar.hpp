@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include <strike/scalar/math.hpp>
 #include <strike/scalar/pack.hpp>
 
 namespace strike {
@@ -16,18 +17,21 @@ using std::log;
 using std::pow;
 using std::sqrt;
 
-template <std::floating_point T>
-constexpr T select(bool condition, std::type_identity_t<T> then, T otherwise) {
-  return condition ? then : otherwise;
+namespace detail {
+template <class A, class B>
+concept BuiltIn = std::is_arithmetic_v<A> && std::is_arithmetic_v<B> &&
+    (std::floating_point<A> || std::floating_point<B>);
 }
-template <std::floating_point T>
-constexpr T min(T a, std::type_identity_t<T> b) {
-  return b < a ? b : a;
-}
-template <std::floating_point T>
-constexpr T max(T a, std::type_identity_t<T> b) {
-  return a < b ? b : a;
-}
+
+template <class A, class B>
+requires detail::BuiltIn<A, B>
+constexpr std::common_type_t<A, B> select(bool condition, A then, B otherwise) { return condition ? then : otherwise; }
+template <class A, class B>
+requires detail::BuiltIn<A, B>
+constexpr std::common_type_t<A, B> min(A a, B b) { return b < a ? b : a; }
+template <class A, class B>
+requires detail::BuiltIn<A, B>
+constexpr std::common_type_t<A, B> max(A a, B b) { return a < b ? b : a; }
 constexpr bool any(bool condition) { return condition; }
 constexpr bool all(bool condition) { return condition; }
 template <std::floating_point T>
@@ -45,7 +49,8 @@ constexpr T reduce_max(T a) {
 
 /// What the formulas of strike are written for: a `double`, a `Pack` of `double` or `float`, a `Dual`.
 /// Laws: arithmetic is that of the real numbers to rounding; `select(c, a, b)` is `c ? a : b` in each lane, and its
-/// unselected branch may be computed and be anything, NaN included; a `double` literal may stand wherever a number may.
+/// unselected branch may be computed and be anything, NaN included; a `double` literal may stand wherever a number may;
+/// lane i of f(a) is f of lane i, bit for bit in + - * / < min max abs sqrt, else within 4 units in the last place.
 template <class T>
 concept Scalar = std::copyable<T> && std::constructible_from<T, double> && requires(const T a, const T b) {
   { a + b } -> std::convertible_to<T>;
@@ -58,7 +63,13 @@ concept Scalar = std::copyable<T> && std::constructible_from<T, double> && requi
   { max(a, b) } -> std::convertible_to<T>;
   { abs(a) } -> std::convertible_to<T>;
   { sqrt(a) } -> std::convertible_to<T>;
+  { cbrt(a) } -> std::convertible_to<T>;
+  { exp(a) } -> std::convertible_to<T>;
+  { log(a) } -> std::convertible_to<T>;
+  { pow(a, b) } -> std::convertible_to<T>;
+  { select(a < 1.0 && !(b >= a), 2.0 * a, a + 2.0) } -> std::convertible_to<T>;
   { any(a < b) } -> std::convertible_to<bool>;
+  { all(a == b) } -> std::convertible_to<bool>;
 };
 
 namespace detail {
