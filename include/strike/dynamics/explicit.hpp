@@ -40,8 +40,8 @@ class Explicit {
       : options_(options), nodes_(scene.nodes), things_(start(std::move(scene.things), nodes_)) {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (!(nodes_.mass(i) > 0))
-        throw Error("strike: node " + std::to_string(i) + " at " + place(i) +
-                    " has no mass, for it belongs to no element; remove it.");
+        throw Error(detail::say("strike: node ", i, " at ", place(i),
+                                " has no mass, for it belongs to no element; remove it."));
     each([&](auto& thing) {
       if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
     });
@@ -134,8 +134,8 @@ class Explicit {
     double dt = std::min(options_.step_factor * stable_.dt, options_.largest_step);
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
     if (!(dt > options_.smallest_step))
-      stop("the time step has fallen to " + detail::text(dt) + " because of element " +
-           std::to_string(stable_.element) + " of part " + std::to_string(stable_.part));
+      stop(detail::say("the time step has fallen to ", detail::text(dt), " because of element ", stable_.element,
+                       " of part ", stable_.part));
     const double left = end_ - time_;
     if (dt >= left)
       dt = left;
@@ -150,10 +150,11 @@ class Explicit {
     const Real kick = static_cast<Real>(step_.kick());
     double kinetic = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      auto v = nodes_.v(i);
-      const auto f = nodes_.f(i);
-      kinetic += static_cast<double>(nodes_.mass(i) * v.squaredNorm() + kick * v.dot(f));
-      v += kick / nodes_.mass(i) * f;
+      auto v = nodes_.wide(nodes_.velocity()[i]);
+      const auto f = nodes_.wide(nodes_.force()[i]);
+      const Real m = nodes_.mass(i);
+      kinetic += static_cast<double>((v * (m * v + kick * f)).sum());
+      v += kick / m * f;
     }
     ledger_.kinetic = 0.5 * kinetic;
   }
@@ -170,12 +171,13 @@ class Explicit {
     ledger_.kinetic += ledger_.impulses_before();
     energy_ = ledger_.energy();
     if (!(energy_.kinetic >= -options_.energy_tolerance * energy_.scale()))
-      stop("the velocities grow from step to step with changing sign (kinetic energy " + detail::text(energy_.kinetic) +
-           "): the step is beyond stability; use a smaller step factor");
+      stop(detail::say("the velocities grow from step to step with changing sign (kinetic energy ",
+                       detail::text(energy_.kinetic), "): the step is beyond stability; use a smaller step factor"));
     if (!(std::abs(energy_.error()) <= options_.energy_tolerance))
-      stop("the energy balance is off by " + detail::text(100 * energy_.error()) + " % of " +
-           detail::text(energy_.scale()) + "; use a smaller step factor or look for what is wrong near element " +
-           std::to_string(stable_.element) + " of part " + std::to_string(stable_.part));
+      stop(detail::say("the energy balance is off by ", detail::text(100 * energy_.error()), " % of ",
+                       detail::text(energy_.scale()),
+                       "; use a smaller step factor or look for what is wrong near element ", stable_.element,
+                       " of part ", stable_.part));
     ledger_.settle();
     each([&](auto& thing) {
       if constexpr (requires { thing.power(nodes_); }) ledger_.external.book(0.5 * step_.dt * thing.power(nodes_));
@@ -185,8 +187,8 @@ class Explicit {
   void drift() {
     const Real dt = static_cast<Real>(step_.dt);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      nodes_.x(i) += dt * nodes_.v(i);
-      nodes_.f(i).setZero();
+      nodes_.wide(nodes_.position()[i]) += dt * nodes_.wide(nodes_.velocity()[i]);
+      nodes_.wide(nodes_.force()[i]).setZero();
     }
     time_ += step_.dt;
   }
@@ -195,7 +197,12 @@ class Explicit {
     stable_ = {};
     each([&](auto& thing) {
       if constexpr (requires { thing.deform(nodes_, step_.dt, ledger_); }) {
-        const StableStep mine = thing.deform(nodes_, step_.dt, ledger_);
+        StableStep mine;
+        try {
+          mine = thing.deform(nodes_, step_.dt, ledger_);
+        } catch (const Error& error) {
+          stop(error.what());
+        }
         if (mine.dt < stable_.dt) stable_ = mine;
       }
     });
@@ -211,7 +218,7 @@ class Explicit {
   }
 
   [[noreturn]] void stop(const std::string& why) const {
-    throw Error("strike: at t = " + detail::text(time_) + ", step " + std::to_string(step_.number) + ": " + why + ".");
+    throw Error(detail::say("strike: at t = ", detail::text(time_), ", step ", step_.number, ": ", why, "."));
   }
   std::string place(std::size_t i) const { return detail::text(Eigen::Vector3d(nodes_.x(i).template cast<double>())); }
 

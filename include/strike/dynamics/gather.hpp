@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cstring>
+#include <utility>
 
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/nodes.hpp>
@@ -11,24 +14,130 @@ namespace strike {
 template <std::size_t n, std::size_t lanes>
 using BlockNodes = std::array<std::array<Index, lanes>, n>;
 
+namespace detail {
+
+/// Moves the padded vectors of `lanes<T>` nodes into the lanes of three numbers, and back onto the nodes.
+template <class T>
+struct Transposer {
+  using Real = RealOf<T>;
+
+  static Vector3<T> load(const std::vector<Padded<Real>>& field, const std::array<Index, lanes<T>>& nodes) {
+    Vector3<T> a;
+    for (std::size_t l = 0; l < lanes<T>; ++l)
+      for (int c = 0; c < 3; ++c) set_lane(a(c), l, field[nodes[l]].x[c]);
+    return a;
+  }
+  static void subtract(const Vector3<T>& a, std::vector<Padded<Real>>& field, const std::array<Index, lanes<T>>& nodes,
+                       std::size_t count) {
+    for (std::size_t l = 0; l < count; ++l)
+      for (int c = 0; c < 3; ++c) field[nodes[l]].x[c] -= lane(a(c), l);
+  }
+};
+
+/// The same for registers of whole quadruples: a node is one load, and quadruples of nodes are transposed in registers.
+template <class T, std::size_t N>
+requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
+  static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
+  static constexpr std::size_t registers = N / width, quads = width / 4;
+  using Wide = typename Register<T, width>::type;
+  using Quad = typename Register<T, 4>::type;
+
+  /// Within each quadruple of the result the four picks p0..p3 of (a, b), of which b counts from 4.
+  template <int p0, int p1, int p2, int p3>
+  static Wide mix(const Wide& a, const Wide& b) {
+    constexpr auto from = [](int i) {
+      constexpr int pick[4] = {p0, p1, p2, p3};
+      const int p = pick[i % 4];
+      return i / 4 * 4 + p % 4 + (p < 4 ? 0 : static_cast<int>(width));
+    };
+    return [&]<int... i>(std::integer_sequence<int, i...>)->Wide { return __builtin_shufflevector(a, b, from(i)...); }
+    (std::make_integer_sequence<int, static_cast<int>(width)>{});
+  }
+
+  static Quad load(const Padded<T>& a) {
+    Quad q;
+    std::memcpy(&q, a.x, sizeof q);
+    return q;
+  }
+  /// The nodes first, first + 4, ... side by side.
+  static Wide load_row(const std::vector<Padded<T>>& field, const Index* nodes) {
+    const Quad q0 = load(field[nodes[0]]);
+    if constexpr (quads == 1) {
+      return q0;
+    } else {
+      const auto pair = __builtin_shufflevector(q0, load(field[nodes[4]]), 0, 1, 2, 3, 4, 5, 6, 7);
+      if constexpr (quads == 2) {
+        return pair;
+      } else {
+        const auto next =
+            __builtin_shufflevector(load(field[nodes[8]]), load(field[nodes[12]]), 0, 1, 2, 3, 4, 5, 6, 7);
+        return __builtin_shufflevector(pair, next, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+      }
+    }
+  }
+  template <int q>
+  static Quad quad(const Wide& row) {
+    return __builtin_shufflevector(row, row, 4 * q, 4 * q + 1, 4 * q + 2, 4 * q + 3);
+  }
+  static void subtract(const Quad& change, Padded<T>& node) {
+    const Quad sum = load(node) - change;
+    std::memcpy(node.x, &sum, sizeof sum);
+  }
+
+  static Vector3<Pack<T, N>> load(const std::vector<Padded<T>>& field, const std::array<Index, N>& nodes) {
+    Vector3<Pack<T, N>> v;
+    for (std::size_t k = 0; k < registers; ++k) {
+      const Index* first = nodes.data() + k * width;
+      const Wide a = load_row(field, first), b = load_row(field, first + 1), c = load_row(field, first + 2),
+                 d = load_row(field, first + 3);
+      const Wide ab = mix<0, 4, 2, 6>(a, b), cd = mix<0, 4, 2, 6>(c, d);
+      v(0).native(k) = mix<0, 1, 4, 5>(ab, cd);
+      v(1).native(k) = mix<0, 1, 4, 5>(mix<1, 5, 3, 7>(a, b), mix<1, 5, 3, 7>(c, d));
+      v(2).native(k) = mix<2, 3, 6, 7>(ab, cd);
+    }
+    return v;
+  }
+
+  static void subtract(const Vector3<Pack<T, N>>& v, std::vector<Padded<T>>& field, const std::array<Index, N>& nodes,
+                       std::size_t count) {
+    for (std::size_t k = 0; k < registers; ++k) {
+      const Wide x = v(0).native(k), y = v(1).native(k), z = v(2).native(k), none{};
+      const Wide xy = mix<0, 4, 2, 6>(x, y), yx = mix<1, 5, 3, 7>(x, y), zn = mix<0, 4, 2, 6>(z, none),
+                 nz = mix<1, 5, 3, 7>(z, none);
+      const Wide rows[4] = {mix<0, 1, 4, 5>(xy, zn), mix<0, 1, 4, 5>(yx, nz), mix<2, 3, 6, 7>(xy, zn),
+                            mix<2, 3, 6, 7>(yx, nz)};
+      const Index* first = nodes.data() + k * width;
+      const std::size_t left = count - std::min(count, k * width);
+      [&]<int... q>(std::integer_sequence<int, q...>) {
+        const auto put = [&](std::size_t l, const Quad& change) {
+          if (left >= width || l < left) subtract(change, field[first[l]]);
+        };
+        ((put(4 * q, quad<q>(rows[0])), put(4 * q + 1, quad<q>(rows[1])), put(4 * q + 2, quad<q>(rows[2])),
+          put(4 * q + 3, quad<q>(rows[3]))),
+         ...);
+      }
+      (std::make_integer_sequence<int, static_cast<int>(quads)>{});
+    }
+  }
+};
+
+}  // namespace detail
+
 /// Nodal vectors into lanes.
 template <class T, std::size_t n>
 Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const std::vector<Padded<RealOf<T>>>& field,
                                                 const BlockNodes<n, lanes<T>>& nodes) {
   Eigen::Matrix<T, 3, static_cast<int>(n)> a;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t l = 0; l < lanes<T>; ++l)
-      for (int c = 0; c < 3; ++c) set_lane(a(c, static_cast<int>(i)), l, field[nodes[i][l]].x[c]);
+  for (std::size_t i = 0; i < n; ++i) a.col(static_cast<int>(i)) = detail::Transposer<T>::load(field, nodes[i]);
   return a;
 }
 
-/// field -= f for the first `count` lanes, lane after lane.
+/// field -= f for the first `count` lanes, node after node and lane after lane.
 template <class T, std::size_t n>
 void scatter_subtract(const Eigen::Matrix<T, 3, static_cast<int>(n)>& f, std::vector<Padded<RealOf<T>>>& field,
                       const BlockNodes<n, lanes<T>>& nodes, std::size_t count) {
-  for (std::size_t l = 0; l < count; ++l)
-    for (std::size_t i = 0; i < n; ++i)
-      for (int c = 0; c < 3; ++c) field[nodes[i][l]].x[c] -= lane(f(c, static_cast<int>(i)), l);
+  for (std::size_t i = 0; i < n; ++i)
+    detail::Transposer<T>::subtract(f.col(static_cast<int>(i)), field, nodes[i], count);
 }
 
 }  // namespace strike

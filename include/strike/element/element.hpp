@@ -66,7 +66,7 @@ struct MidStep {
     const T h = -0.5 * dt;
     Vector3<T> p = h * L.col(0), q = h * L.col(1), r = h * L.col(2);
     p(0) += 1.0, q(1) += 1.0, r(2) += 1.0;
-    const Vector3<T> qr = q.cross(r), rp = r.cross(p), pq = p.cross(q);
+    const Vector3<T> qr = cross(q, r), rp = cross(r, p), pq = cross(p, q);
     const T w = 1.0 / p.dot(qr);
     Matrix3<T> mid;
     for (int j = 0; j < 3; ++j) mid.col(j) = w * (L.col(0) * qr(j) + L.col(1) * rp(j) + L.col(2) * pq(j));

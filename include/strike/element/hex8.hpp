@@ -26,7 +26,7 @@ struct Hex8 {
 
   template <class M, class T>
   struct State {
-    T mass{};
+    T inverse_volume{};  ///< 1/V0
     [[no_unique_address]] typename Hourglass::template State<T> hourglass{};
     typename M::template State<T> material{};
 
@@ -39,8 +39,9 @@ struct Hex8 {
   template <class M, class T>
   T begin(State<M, T>& state, const M& material, const Nodal<T, 8>& x) const {
     if constexpr (requires { material.begin(state.material); }) material.begin(state.material);
-    state.mass = material.density() * Hex8Gradient<T>(to_modes<T>(x)).volume;
-    return 0.125 * state.mass;
+    const T V = Hex8Gradient<T>(to_modes<T>(x)).volume;
+    state.inverse_volume = 1.0 / V;
+    return (0.125 * material.density()) * V;
   }
 
   template <class M, class T>
@@ -48,14 +49,14 @@ struct Hex8 {
                          double dt) const {
     const Hex8Modes<T> m = to_modes<T>(x), u = to_modes<T>(v);
     const Hex8Gradient<T> g(m);
-    const T V = g.volume, rho = state.mass / V;
-    const SymmetricTensor<T> BB = g.squared();
-    const SymmetricTensor<T> BB_VV = T(1.0 / (V * V)) * BB;
-    const Slenderness<T> slenderness(BB_VV);
+    const T& V = g.volume;
+    const T J = V * state.inverse_volume, compression = 1.0 / J;
+    const T per_volume = compression * state.inverse_volume;  // 1/V
+    const T rho = material.density() * compression, specific_volume = (1.0 / material.density()) * J;
 
-    const Matrix3<T> L = g.gradient_of(u);
+    const Matrix3<T> L = g.gradient_of(u, per_volume);
     const Matrix3<T> L_mid = instant(L, dt);
-    const SolidKinematics::Rate<T> rate{symmetric_part(L_mid), material.density() / rho};
+    const SolidKinematics::Rate<T> rate{symmetric_part(L_mid), J};
     const T theta = trace(rate.rate_of_deformation);
     const T dV = volume_increment<T>(V, dt * theta);
 
@@ -63,16 +64,20 @@ struct Hex8 {
     turn_tensors(turn, state.material);
     turn_tensors(turn, state.hourglass);
 
+    const SymmetricTensor<T> S = T(per_volume * per_volume) * g.squared();
+    const Stability<T> stability(S, specific_volume);
     Response<T, 8> response;
     response.volume = V;
 
+    const auto compression_per_crossing = [&](const Moduli<T>& moduli) -> T {
+      return max(T(0.0), -theta) * stability.crossing_time(moduli.wave());
+    };
     T q = T(0.0);
     if constexpr (viscous) {
       const Moduli<T> moduli = material.moduli(state.material, rate);
-      const T c = sqrt((moduli.bulk + (4.0 / 3.0) * moduli.shear) / rho);
-      q = intact(material, state) * bulk_viscosity.pressure(rho, slenderness.length(), c, theta);
+      q = bulk_viscosity.pressure(moduli.wave(), compression_per_crossing(moduli));
       if constexpr (requires { state.material.internal_energy; })
-        state.material.internal_energy += -q * dV * material.density() / state.mass;
+        state.material.internal_energy += -q * dV * state.inverse_volume;
     }
     response.bulk_viscosity_work = -q * dt * theta * (V - 0.5 * dV);
 
@@ -82,53 +87,49 @@ struct Hex8 {
     sigma += SymmetricTensor<T>::isotropic(-q);
 
     const Moduli<T> moduli = material.moduli(state.material, rate);
-    const T c = sqrt((moduli.bulk + (4.0 / 3.0) * moduli.shear) / rho);
-    const T frequency_squared = slenderness.frequency_squared(moduli, rho);
-    T decay = T(0.0);
-    if constexpr (viscous)
-      decay += 2.0 * sqrt(frequency_squared) * bulk_viscosity.damping(slenderness.length(), c, theta);
-    if constexpr (requires { material.viscosity(); }) decay += slenderness.decay(T(material.viscosity()), rho);
-    response.stable_step = critical_step(frequency_squared, decay);
+    const T frequency = stability.frequency(moduli);
+    T damping = T(0.0);
+    if constexpr (viscous) damping += bulk_viscosity.damping(compression_per_crossing(moduli));
+    if constexpr (requires { material.viscosity(); })
+      damping += 0.5 * stability.decay(material.viscosity()) / frequency;
+    T steps_per_time = critical_rate(frequency, damping);
 
     Hex8Modes<T> F;
-    Matrix3<T> S = sigma.matrix();
+    Matrix3<T> P = sigma.matrix();
+    response.hourglass_work = T(0.0);
     if constexpr (controlled) {
-      const HourglassElement<T> element{state.mass, V, c, moduli.shear, trace(BB), T(dt)};
+      const HourglassElement<T> element{rho, V, moduli.wave(), moduli.shear, stability.trace, T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
         return u_k - L.col(0) * m_k(0) - L.col(1) * m_k(1) - L.col(2) * m_k(2);
       };
       const HourglassModes<T> rates{rate_of(u.b1, m.b1), rate_of(u.b2, m.b2), rate_of(u.b3, m.b3), rate_of(u.d, m.d)};
-      HourglassModes<T> Q = hourglass.resistance(state.hourglass, element, rates);
-      if constexpr (requires { material.intact(state.material); })
-        for (auto& Q_k : Q) Q_k *= material.intact(state.material);
+      const HourglassModes<T> Q = hourglass.resistance(state.hourglass, element, rates);
       response.hourglass_work = hourglass.work(element, Q, rates);
-
-      // gamma_k = Lambda_k - B.m_k/V, so that |gamma_k|^2 = 8 - m_k.g_k/(4 V) + m_k.(B B^T/V^2) m_k
-      const T quarter = 0.25 / V;
-      const T gamma_squared =
-          8.0 + max(max(quadratic_form(BB_VV, m.b1) - quarter * m.b1.dot(g.b1),
-                        quadratic_form(BB_VV, m.b2) - quarter * m.b2.dot(g.b2)),
-                    max(quadratic_form(BB_VV, m.b3) - quarter * m.b3.dot(g.b3), quadratic_form(BB_VV, m.d)));
-      response.stable_step = min(response.stable_step, hourglass_step(element, gamma_squared));
-
-      const T w = -1.0 / V;
-      for (int j = 0; j < 3; ++j) S.col(j) += w * (Q[0] * m.b1(j) + Q[1] * m.b2(j) + Q[2] * m.b3(j) + Q[3] * m.d(j));
+      for (int j = 0; j < 3; ++j)
+        P.col(j) -= per_volume * (Q[0] * m.b1(j) + Q[1] * m.b2(j) + Q[2] * m.b3(j) + Q[3] * m.d(j));
       F.b1 = Q[0], F.b2 = Q[1], F.b3 = Q[2], F.d = Q[3];
+
+      // gamma_k = Lambda_k - B.m_k/V, so that |gamma_k|^2 = 8 - m_k.g_k/(4 V) + m_k.S m_k
+      const auto excess = [&](const Vector3<T>& m_k, const Vector3<T>& g_k) -> T {
+        return quadratic_form(S, m_k) - 0.25 * per_volume * m_k.dot(g_k);
+      };
+      const T gamma_squared =
+          8.0 + max(max(excess(m.b1, g.b1), excess(m.b2, g.b2)), max(excess(m.b3, g.b3), quadratic_form(S, m.d)));
+      steps_per_time = max(steps_per_time, hourglass.critical_rate(element, gamma_squared));
     } else {
-      response.hourglass_work = T(0.0);
       F.b1 = F.b2 = F.b3 = F.d = Vector3<T>::Zero();
     }
-    if constexpr (requires { material.intact(state.material); })
-      response.stable_step =
-          select(material.intact(state.material) > 0.0, response.stable_step, T(std::numeric_limits<RealOf<T>>::max()));
+    response.stable_step = 1.0 / steps_per_time;
 
-    S *= T(1.0 / 64.0);
+    P *= T(1.0 / 64.0);
     const auto force = [&](const Vector3<T>& g_k) -> Vector3<T> {
-      return S.col(0) * g_k(0) + S.col(1) * g_k(1) + S.col(2) * g_k(2);
+      return P.col(0) * g_k(0) + P.col(1) * g_k(1) + P.col(2) * g_k(2);
     };
     F.a1 = force(g.a1), F.a2 = force(g.a2), F.a3 = force(g.a3);
     F.b1 += force(g.b1), F.b2 += force(g.b2), F.b3 += force(g.b3);
     response.force = to_nodes(F);
+    if constexpr (requires { material.intact(state.material); })
+      silence(material.intact(state.material) > 0.0, response);
     return response;
   }
 
@@ -136,20 +137,15 @@ struct Hex8 {
   static constexpr bool viscous = !std::same_as<Viscosity, NoBulkViscosity>;
   static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;
 
-  template <class M, class T>
-  static T intact(const M& material, const State<M, T>& state) {
-    if constexpr (requires { material.intact(state.material); })
-      return material.intact(state.material);
-    else
-      return T(1.0);
-  }
-
-  template <class T>
-  T hourglass_step(const HourglassElement<T>& element, const T& gamma_squared) const {
-    if constexpr (requires { hourglass.decay(element, gamma_squared); })
-      return 2.0 / hourglass.decay(element, gamma_squared);
-    else
-      return 2.0 / sqrt(hourglass.frequency_squared(element, gamma_squared));
+  /// What has failed neither pushes nor limits the step, however distorted it is.
+  template <class Flag, class T>
+  static void silence(const Flag& intact, Response<T, 8>& response) {
+    response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();
+    response.volume = select(intact, response.volume, T(1.0));
+    response.stable_step = select(intact, response.stable_step, T(std::numeric_limits<RealOf<T>>::max()));
+    response.internal_work = select(intact, response.internal_work, T(0.0));
+    response.hourglass_work = select(intact, response.hourglass_work, T(0.0));
+    response.bulk_viscosity_work = select(intact, response.bulk_viscosity_work, T(0.0));
   }
 };
 

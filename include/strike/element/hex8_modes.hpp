@@ -45,18 +45,18 @@ struct Hex8Gradient {
   T volume;
 
   explicit Hex8Gradient(const Hex8Modes<T>& m)
-      : a1(m.a2.cross(m.a3) + T(1.0 / 3.0) * m.b3.cross(m.b2)),
-        a2(m.a3.cross(m.a1) + T(1.0 / 3.0) * m.b1.cross(m.b3)),
-        a3(m.a1.cross(m.a2) + T(1.0 / 3.0) * m.b2.cross(m.b1)),
-        b1(T(1.0 / 3.0) * (m.b3.cross(m.a2) + m.a3.cross(m.b2))),
-        b2(T(1.0 / 3.0) * (m.a1.cross(m.b3) + m.b1.cross(m.a3))),
-        b3(T(1.0 / 3.0) * (m.b2.cross(m.a1) + m.a2.cross(m.b1))),
+      : a1(cross(m.a2, m.a3) + T(1.0 / 3.0) * cross(m.b3, m.b2)),
+        a2(cross(m.a3, m.a1) + T(1.0 / 3.0) * cross(m.b1, m.b3)),
+        a3(cross(m.a1, m.a2) + T(1.0 / 3.0) * cross(m.b2, m.b1)),
+        b1(T(1.0 / 3.0) * (cross(m.b3, m.a2) + cross(m.a3, m.b2))),
+        b2(T(1.0 / 3.0) * (cross(m.a1, m.b3) + cross(m.b1, m.a3))),
+        b3(T(1.0 / 3.0) * (cross(m.b2, m.a1) + cross(m.a2, m.b1))),
         volume(T(1.0 / 192.0) *
                (m.a1.dot(a1) + m.a2.dot(a2) + m.a3.dot(a3) + m.b1.dot(b1) + m.b2.dot(b2) + m.b3.dot(b3))) {}
 
-  /// L_ij = du_i/dx_j, the mean over the element: sum_k u_k (x) g_k / (64 V).
-  Matrix3<T> gradient_of(const Hex8Modes<T>& u) const {
-    const T w = 1.0 / (64.0 * volume);
+  /// L_ij = du_i/dx_j, the mean over the element: sum_k u_k (x) g_k / (64 V); `per_volume` is 1/V.
+  Matrix3<T> gradient_of(const Hex8Modes<T>& u, const T& per_volume) const {
+    const T w = T(1.0 / 64.0) * per_volume;
     Matrix3<T> L;
     for (int j = 0; j < 3; ++j)
       L.col(j) = w * (u.a1 * a1(j) + u.a2 * a2(j) + u.a3 * a3(j) + u.b1 * b1(j) + u.b2 * b2(j) + u.b3 * b3(j));

@@ -13,9 +13,9 @@ using HourglassModes = std::array<Vector3<T>, 4>;
 /// What an hourglass control may know of its element.
 template <class T>
 struct HourglassElement {
-  T mass, volume;
-  T wave_speed, shear_modulus;
-  T gradient_squared;  ///< B_iI B_iI
+  T density, volume;
+  T wave_modulus, shear_modulus;  ///< rho c^2 and G
+  T gradient_squared;             ///< B_iI B_iI/V^2
   T dt;
 };
 
@@ -25,17 +25,18 @@ struct NoHourglass {
   struct State {};
 };
 
-/// Resistance against the rate of the hourglass modes, a = Q rho V^(2/3) c/4 (Flanagan and Belytschko 1981; LS-DYNA
-/// type 3).
+/// Resistance against the rate of the hourglass modes, a qdot with a = Q rho c V^(2/3)/4 (Flanagan and Belytschko 1981;
+/// LS-DYNA type 3).
 struct ViscousHourglass {
-  double coefficient = 0.1;  ///< Q, usually 0.05 to 0.15; cubes need Q < 0.125/(step factor) or the step shrinks
+  double coefficient = 0.1;  ///< Q, usually 0.05 to 0.15; in cubes above 0.125/(step factor) it shortens the step
 
   template <class T>
   struct State {};
 
   template <class T>
   T damping(const HourglassElement<T>& e) const {
-    return (0.25 * coefficient) * e.mass * e.wave_speed / cbrt(e.volume);
+    const T edge = cbrt(e.volume);
+    return (0.25 * coefficient) * edge * edge * sqrt(e.density * e.wave_modulus);
   }
   template <class T>
   HourglassModes<T> resistance(State<T>&, const HourglassElement<T>& e, const HourglassModes<T>& rates) const {
@@ -47,14 +48,16 @@ struct ViscousHourglass {
   T work(const HourglassElement<T>& e, const HourglassModes<T>& Q, const HourglassModes<T>& rates) const {
     return e.dt * (Q[0].dot(rates[0]) + Q[1].dot(rates[1]) + Q[2].dot(rates[2]) + Q[3].dot(rates[3]));
   }
-  /// Rate of decay of the hourglass modes, a |gamma|^2/m with m = mass/8; `gamma_squared` is the largest |gamma_k|^2.
+  /// One over the largest stable step, half the rate of decay a |gamma|^2/m with m = rho V/8; `gamma_squared` is the
+  /// largest |gamma_k|^2.
   template <class T>
-  T decay(const HourglassElement<T>& e, const T& gamma_squared) const {
-    return 8.0 * damping(e) * gamma_squared / e.mass;
+  T critical_rate(const HourglassElement<T>& e, const T& gamma_squared) const {
+    return 4.0 * damping(e) * gamma_squared / (e.density * e.volume);
   }
 };
 
-/// Resistance against the hourglass modes themselves, dQ/dt = kappa 2 G B:B/(8 V) qdot (Flanagan and Belytschko 1981).
+/// Resistance against the hourglass modes themselves, dQ/dt = k qdot with k = kappa 2 G B:B/(8 V) (Flanagan and
+/// Belytschko 1981).
 struct StiffnessHourglass {
   double coefficient = 0.005;  ///< kappa, usually 0.001 to 0.01
 
@@ -67,7 +70,7 @@ struct StiffnessHourglass {
 
   template <class T>
   T stiffness(const HourglassElement<T>& e) const {
-    return (0.25 * coefficient) * e.shear_modulus * e.gradient_squared / e.volume;
+    return (0.25 * coefficient) * e.shear_modulus * e.gradient_squared * e.volume;
   }
   template <class T>
   HourglassModes<T> resistance(State<T>& state, const HourglassElement<T>& e, const HourglassModes<T>& rates) const {
@@ -83,10 +86,10 @@ struct StiffnessHourglass {
     for (std::size_t i = 0; i < 4; ++i) sum += (Q[i] - half * rates[i]).dot(rates[i]);
     return e.dt * sum;
   }
-  /// Square of the frequency of the hourglass modes, k |gamma|^2/m.
+  /// One over the largest stable step, half the frequency sqrt(k |gamma|^2/m).
   template <class T>
-  T frequency_squared(const HourglassElement<T>& e, const T& gamma_squared) const {
-    return 8.0 * stiffness(e) * gamma_squared / e.mass;
+  T critical_rate(const HourglassElement<T>& e, const T& gamma_squared) const {
+    return sqrt(2.0 * stiffness(e) * gamma_squared / (e.density * e.volume));
   }
 };
 

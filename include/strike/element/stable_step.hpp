@@ -4,37 +4,40 @@
 
 namespace strike {
 
-/// What an element's highest frequency and every damping in it follow from: its gradient operator B in the form of
-/// S = B B^T / V^2 [1/length^2] and the largest eigenvalue of S.
+/// What the frequencies and the damping of an element follow from: S = B B^T / V^2 [1/length^2] of its gradient
+/// operator B, its moduli and its density.
 ///
-/// For nodal masses of rho V/8 and isotropic moduli the frequency is bounded by
-///   w^2 <= 8 (max(lambda, 0) tr S + 2 G L1(S)) / rho,   lambda = K - 2 G/3:
+/// For nodal masses of rho V/8 the highest frequency is bounded by
+///   w^2 <= 8 (max(lambda, 0) tr S + 2 G L1(S)) / rho,   lambda = K - 2 G/3,   L1 the largest eigenvalue:
 /// lambda (b.v)^2 has the one eigenvalue lambda |b|^2, and the deviatoric part 2 G D:D <= 2 G L:L has at most 2 G L1.
 template <class T>
-struct Slenderness {
-  T trace;       ///< tr S
-  T eigenvalue;  ///< L1(S)
+struct Stability {
+  T trace;            ///< tr S
+  T eigenvalue;       ///< L1(S)
+  T volume_per_mass;  ///< 1/rho
 
-  explicit Slenderness(const SymmetricTensor<T>& S) : trace(strike::trace(S)), eigenvalue(largest_eigenvalue(S)) {}
+  Stability(const SymmetricTensor<T>& S, const T& specific_volume)
+      : trace(strike::trace(S)), eigenvalue(largest_eigenvalue(S)), volume_per_mass(specific_volume) {}
 
-  /// The length over which a plane wave crosses the element, the edge of a brick: 1/sqrt(2 L1). Bulk viscosity and time
-  /// step must use the same one, or crushed elements are damped beyond stability.
-  T length() const { return 1.0 / sqrt(2.0 * eigenvalue); }
+  /// The time l/c in which a plane wave crosses the element, l = 1/sqrt(2 L1), the edge of a brick. Bulk viscosity and
+  /// time step must use the same length, or crushed elements are damped beyond stability.
+  T crossing_time(const T& wave_modulus) const { return 1.0 / sqrt(2.0 * eigenvalue * wave_modulus * volume_per_mass); }
 
-  /// The bound above on the square of the highest frequency.
-  T frequency_squared(const Moduli<T>& moduli, const T& rho) const {
+  /// The bound above on the highest frequency.
+  T frequency(const Moduli<T>& moduli) const {
     const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear);
-    return 8.0 * (lambda * trace + 2.0 * moduli.shear * eigenvalue) / rho;
+    return sqrt(8.0 * volume_per_mass * (lambda * trace + 2.0 * moduli.shear * eigenvalue));
   }
 
   /// Rate of decay c/m of the fastest mode under a Newtonian viscosity: the same bound with 2 eta for 2 G.
-  T decay(const T& viscosity, const T& rho) const { return 16.0 * viscosity * eigenvalue / rho; }
+  T decay(double viscosity) const { return (16.0 * viscosity) * eigenvalue * volume_per_mass; }
 };
 
-/// The largest stable step of central differences whose damping lags half a step: w^2 dt^2/4 + decay dt/2 = 1.
+/// One over the largest stable step of central differences whose damping lags half a step: the dt of
+/// w^2 dt^2/4 + xi w dt = 1 for a mode of frequency w and the fraction xi of its critical damping.
 template <class T>
-T critical_step(const T& frequency_squared, const T& decay) {
-  return 4.0 / (decay + sqrt(decay * decay + 4.0 * frequency_squared));
+T critical_rate(const T& frequency, const T& damping) {
+  return 0.5 * frequency * (damping + sqrt(1.0 + damping * damping));
 }
 
 }  // namespace strike

@@ -16,10 +16,20 @@ struct SolidKinematics {
   using Stress = SymmetricTensor<T>;  ///< Cauchy stress, tension positive
 };
 
+/// The change of a volume v in a step of volumetric strain theta = tr(D) dt at mid-step: v_new - v_old, exact to third
+/// order.
+template <class T>
+T volume_increment(const T& v_new, const T& theta) {
+  return v_new * (theta / (1.0 + 0.5 * theta));
+}
+
 /// Bulk and shear modulus of a material as it stands: they bound its tangent, rho c^2 = bulk + 4/3 shear.
 template <class T>
 struct Moduli {
   T bulk, shear;
+
+  /// rho c^2 = K + 4/3 G.
+  T wave() const { return bulk + T(4.0 / 3.0) * shear; }
 };
 
 /// A material: the rate of deformation in, the stress out. It knows no rotation, no mesh and no time loop.

@@ -1,6 +1,6 @@
 #pragma once
 #include <array>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include <strike/error.hpp>
@@ -22,10 +22,12 @@ struct BoxShape {
 /// Errors: an edge that is not positive, no cells, grading that is not positive.
 inline Mesh box(const BoxShape& shape) {
   if (!(shape.size.minCoeff() > 0) || !shape.size.allFinite())
-    throw Error("A box of size " + detail::text(shape.size) + " has no volume: give three positive edges in `.size`.");
+    throw Error(detail::joined(
+        {"A box of size ", detail::text(shape.size), " has no volume: give three positive edges in `.size`."}));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (shape.cells[axis] < 1)
-      throw Error(std::string("A box has no cells along ") + "xyz"[axis] + ": give 1 or more in `.cells`.");
+      throw Error(detail::joined(
+          {"A box has no cells along ", std::string_view("xyz").substr(axis, 1), ": give 1 or more in `.cells`."}));
   const auto [nx, ny, nz] = shape.cells;
   std::array<std::vector<double>, 3> position;
   for (std::size_t axis = 0; axis < 3; ++axis) {

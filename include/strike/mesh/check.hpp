@@ -31,7 +31,7 @@ inline double corner_sine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, co
 template <std::size_t N>
 std::string cell_text(const char* shape, std::size_t number, std::span<const Eigen::Vector3d> nodes,
                       const std::array<Index, N>& cell) {
-  return std::string(shape) + " " + std::to_string(number) + " at " + text(centroid<N>(nodes, cell));
+  return joined({shape, " ", std::to_string(number), " at ", text(centroid<N>(nodes, cell))});
 }
 
 /// Every cell names nodes that exist, each once.
@@ -40,14 +40,15 @@ void check_numbers(const char* shape, std::span<const Eigen::Vector3d> nodes, co
   for (std::size_t e = 0; e < cells.size(); ++e) {
     for (std::size_t i = 0; i < N; ++i)
       if (cells[e][i] >= nodes.size())
-        throw Error(std::string(shape) + " " + std::to_string(e) + " names node " + std::to_string(cells[e][i]) +
-                    ", but the mesh has " + std::to_string(nodes.size()) +
-                    " nodes: count them from 0 and correct the cell.");
+        throw Error(detail::joined({shape, " ", std::to_string(e), " names node ", std::to_string(cells[e][i]),
+                                    ", but the mesh has ", std::to_string(nodes.size()),
+                                    " nodes: count them from 0 and correct the cell."}));
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (cells[e][i] == cells[e][j])
-          throw Error(cell_text<N>(shape, e, nodes, cells[e]) + " names node " + std::to_string(cells[e][i]) +
-                      " twice: give it " + std::to_string(N) + " different corners.");
+          throw Error(
+              detail::joined({cell_text<N>(shape, e, nodes, cells[e]), " names node ", std::to_string(cells[e][i]),
+                              " twice: give it ", std::to_string(N), " different corners."}));
   }
 }
 
@@ -60,8 +61,8 @@ inline void check(const Mesh& mesh) {
   const std::span<const Eigen::Vector3d> nodes = mesh.nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (!nodes[n].allFinite())
-      throw Error("Node " + std::to_string(n) + " at " + detail::text(nodes[n]) +
-                  " has no finite position: correct its coordinates.");
+      throw Error(detail::joined({"Node ", std::to_string(n), " at ", detail::text(nodes[n]),
+                                  " has no finite position: correct its coordinates."}));
   detail::check_numbers("Hexahedron", nodes, mesh.hexahedra);
   detail::check_numbers("Tetrahedron", nodes, mesh.tetrahedra);
   detail::check_numbers("Quadrilateral", nodes, mesh.quadrilaterals);
@@ -75,18 +76,19 @@ inline void check(const Mesh& mesh) {
       const Eigen::Vector3d& x = nodes[cell[i]];
       const auto& [a, b, c] = neighbours[i];
       if (detail::corner_sine(nodes[cell[a]] - x, nodes[cell[b]] - x, nodes[cell[c]] - x) <= detail::flat)
-        throw Error(detail::cell_text<8>("Hexahedron", e, nodes, cell) + " is flat or inside out at corner " +
-                    std::to_string(i) + " (volume " + detail::text(hexahedron_volume(nodes, cell)) +
-                    "): order its corners 0-3 around the bottom and 4-7 above them, right-handed.");
+        throw Error(
+            detail::joined({detail::cell_text<8>("Hexahedron", e, nodes, cell), " is flat or inside out at corner ",
+                            std::to_string(i), " (volume ", detail::text(hexahedron_volume(nodes, cell)),
+                            "): order its corners 0-3 around the bottom and 4-7 above them, right-handed."}));
     }
   }
   for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e) {
     const auto& cell = mesh.tetrahedra[e];
     const Eigen::Vector3d& x = nodes[cell[0]];
     if (detail::corner_sine(nodes[cell[1]] - x, nodes[cell[2]] - x, nodes[cell[3]] - x) <= detail::flat)
-      throw Error(detail::cell_text<4>("Tetrahedron", e, nodes, cell) + " is flat or inside out (volume " +
-                  detail::text(tetrahedron_volume(nodes, cell)) +
-                  "): order its corners so that 3 lies above the counter-clockwise 0-1-2.");
+      throw Error(detail::joined({detail::cell_text<4>("Tetrahedron", e, nodes, cell),
+                                  " is flat or inside out (volume ", detail::text(tetrahedron_volume(nodes, cell)),
+                                  "): order its corners so that 3 lies above the counter-clockwise 0-1-2."}));
   }
   for (std::size_t e = 0; e < mesh.quadrilaterals.size(); ++e) {
     const auto& cell = mesh.quadrilaterals[e];
@@ -95,16 +97,17 @@ inline void check(const Mesh& mesh) {
       const Eigen::Vector3d& x = nodes[cell[i]];
       const Eigen::Vector3d next = nodes[cell[(i + 1) % 4]] - x, last = nodes[cell[(i + 3) % 4]] - x;
       if (!(next.cross(last).dot(area) > detail::flat * next.norm() * last.norm() * area.norm()))
-        throw Error(detail::cell_text<4>("Quadrilateral", e, nodes, cell) + " is crossed, concave or flat at corner " +
-                    std::to_string(i) + ": list its corners in order around a convex shape.");
+        throw Error(detail::joined({detail::cell_text<4>("Quadrilateral", e, nodes, cell),
+                                    " is crossed, concave or flat at corner ", std::to_string(i),
+                                    ": list its corners in order around a convex shape."}));
     }
   }
 
   const std::vector<Index> orphans = orphan_nodes(mesh);
   if (!orphans.empty())
-    throw Error("Node " + std::to_string(orphans[0]) + " at " + detail::text(nodes[orphans[0]]) +
-                " belongs to no cell, so it has no mass (" + std::to_string(orphans.size()) +
-                " such in all): call remove_orphan_nodes(mesh).");
+    throw Error(detail::joined({"Node ", std::to_string(orphans[0]), " at ", detail::text(nodes[orphans[0]]),
+                                " belongs to no cell, so it has no mass (", std::to_string(orphans.size()),
+                                " such in all): call remove_orphan_nodes(mesh)."}));
 }
 
 }  // namespace strike

@@ -90,8 +90,8 @@ inline Mesh disc(Index cells, Sector sector) {
 /// quarter: cells R^2 sin(pi / (4 cells)) L. Errors: radius, length, cells, layers or grading not positive.
 inline Mesh cylinder(const CylinderShape& shape) {
   if (!(shape.radius > 0) || !(shape.length > 0) || !std::isfinite(shape.radius * shape.length))
-    throw Error("A cylinder of radius " + detail::text(shape.radius) + " and length " + detail::text(shape.length) +
-                " has no volume: give positive lengths.");
+    throw Error(detail::joined({"A cylinder of radius ", detail::text(shape.radius), " and length ",
+                                detail::text(shape.length), " has no volume: give positive lengths."}));
   if (shape.cells < 1 || shape.layers < 1)
     throw Error("A cylinder needs at least one of `.cells` and of `.layers`: ask for 1 or more.");
   const Mesh plan = transformed(detail::disc(shape.cells, shape.sector),

@@ -37,6 +37,9 @@ class Nodes {
   auto f(std::size_t i) const { return Eigen::Map<const Vector>(force_[i].x); }
   Real mass(std::size_t i) const { return mass_[i]; }
 
+  /// The padded vector of node i, for loops over all nodes.
+  static auto wide(Padded<Real>& a) { return Eigen::Map<Eigen::Array<Real, 4, 1>, Eigen::Aligned>(a.x); }
+
   Field& position() { return position_; }
   Field& velocity() { return velocity_; }
   Field& force() { return force_; }

@@ -10,6 +10,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 
@@ -78,10 +79,10 @@ inline std::vector<Face> unshared(const std::vector<Face>& faces) {
     for (std::size_t i = begin[n]; i < begin[n + 1]; ++i)
       for (std::size_t j = begin[n]; j < begin[n + 1]; ++j)
         if (i != j && key[order[i]] == key[order[j]] && ++copies[order[i]] > 2)
-          throw Error("Cells " + std::to_string(faces[order[i]].cell) + " and " + std::to_string(faces[order[j]].cell) +
-                      " share a face (nodes " + std::to_string(key[order[i]][0]) + ", " +
-                      std::to_string(key[order[i]][1]) + ", " + std::to_string(key[order[i]][2]) +
-                      ", ...) with a third cell: remove the duplicate.");
+          throw Error(detail::joined(
+              {"Cells ", std::to_string(faces[order[i]].cell), " and ", std::to_string(faces[order[j]].cell),
+               " share a face (nodes ", std::to_string(key[order[i]][0]), ", ", std::to_string(key[order[i]][1]), ", ",
+               std::to_string(key[order[i]][2]), ", ...) with a third cell: remove the duplicate."}));
 
   std::vector<Face> boundary;
   for (std::size_t f = 0; f < faces.size(); ++f)

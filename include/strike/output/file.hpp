@@ -1,5 +1,4 @@
 #pragma once
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -8,18 +7,12 @@
 #include <utility>
 
 #include <strike/error.hpp>
+#include <strike/text.hpp>
 
 namespace strike::detail {
 
-/// The shortest text that reads back as the same number; "nan" and "inf" as such.
-inline std::string shortest(double number) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
-  return {buffer, end};
-}
-
-/// A file being written. Its folder is made if it is not there. What `write` was given is with the operating system when
-/// it returns, so that it survives the end of the program, however that comes.
+/// A file being written. Its folder is made if it is not there. What `write` was given is with the operating system
+/// when it returns, so that it survives the end of the program, however that comes.
 class OutputFile {
  public:
   explicit OutputFile(std::string path) : path_(std::move(path)) {
@@ -28,10 +21,10 @@ class OutputFile {
       std::filesystem::create_directories(folder, ignored);
     file_ = std::fopen(path_.c_str(), "wb");
     if (!file_)
-      throw Error("File '" + path_ + "' cannot be opened for writing: choose a path in a folder that you may write to.");
+      throw Error(detail::joined(
+          {"File '", path_, "' cannot be opened for writing: choose a path in a folder that you may write to."}));
   }
-  OutputFile(OutputFile&& other) noexcept
-      : path_(std::move(other.path_)), file_(std::exchange(other.file_, nullptr)) {}
+  OutputFile(OutputFile&& other) noexcept : path_(std::move(other.path_)), file_(std::exchange(other.file_, nullptr)) {}
   OutputFile& operator=(OutputFile&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(file_, other.file_);
@@ -43,7 +36,8 @@ class OutputFile {
 
   void write(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0)
-      throw Error("File '" + path_ + "' cannot be written to the end: make room on its disk and run again.");
+      throw Error(
+          detail::joined({"File '", path_, "' cannot be written to the end: make room on its disk and run again."}));
   }
 
   const std::string& path() const { return path_; }
@@ -60,20 +54,8 @@ inline void replace_file(const std::string& path, std::string_view content) {
   std::error_code failure;
   std::filesystem::rename(part, path, failure);
   if (failure)
-    throw Error("File '" + path + "' cannot be replaced (" + failure.message() + "): close or remove what is there.");
-}
-
-/// Text for XML: & < > and quotes as entities.
-inline std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      default: escaped += c;
-    }
-  return escaped;
+    throw Error(detail::joined(
+        {"File '", path, "' cannot be replaced (", failure.message(), "): close or remove what is there."}));
 }
 
 /// Text as a field of a CSV file (RFC 4180): in quotes if it holds a comma, a quote or a line end.

@@ -24,20 +24,22 @@ struct Column {
 class History {
  public:
   History(std::string path, std::vector<Column> columns) : columns_(columns.size()), file_(std::move(path)) {
-    if (columns.empty()) throw Error("History '" + file_.path() + "' has no columns: name at least one.");
+    if (columns.empty())
+      throw Error(detail::joined({"History '", file_.path(), "' has no columns: name at least one."}));
     std::string head;
     for (const Column& column : columns) {
       if (!head.empty()) head += ',';
-      head += detail::csv_escaped(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+      head += detail::csv_escaped(column.unit.empty() ? column.name
+                                                      : detail::joined({column.name, " [", column.unit, "]"}));
     }
     file_.write(head + '\n');
   }
 
   void row(std::span<const double> values) {
     if (values.size() != columns_)
-      throw Error("History '" + file_.path() + "' has " + std::to_string(columns_) + " columns, but row " +
-                  std::to_string(rows_) + " brings " + std::to_string(values.size()) +
-                  " values: give one for each column.");
+      throw Error(detail::joined({"History '", file_.path(), "' has ", std::to_string(columns_), " columns, but row ",
+                                  std::to_string(rows_), " brings ", std::to_string(values.size()),
+                                  " values: give one for each column."}));
     line_.clear();
     for (const double value : values) {
       if (!line_.empty()) line_ += ',';
@@ -48,7 +50,7 @@ class History {
   }
 
   template <std::convertible_to<double>... Values>
-  void row(Values... values) {
+  requires(sizeof...(Values) > 0) void row(Values... values) {
     const double row_of_values[] = {static_cast<double>(values)...};
     row(std::span<const double>(row_of_values));
   }

@@ -25,9 +25,9 @@ struct ProgressOptions {
 };
 
 /// One line on a terminal that tells how far a run is: percent, time, step, energy error, estimated rest. Call it after
-/// each step: `progress(t, step, [&] { return ledger.error(); })`. The error (relative) may be a number or a function that
-/// is called only if a line is drawn. It draws at most four times a second and looks at the clock about forty times; a
-/// call between costs a comparison.
+/// each step: `progress(t, step, [&] { return ledger.error(); })`. The error (relative) may be a number or a function
+/// that is called only if a line is drawn. It draws at most four times a second, and at the end, and looks at the clock
+/// about forty times a second; a call between costs two comparisons.
 class Progress {
  public:
   explicit Progress(const ProgressOptions& options) : options_(options) {
@@ -43,10 +43,10 @@ class Progress {
     if (drawn_) std::fputc('\n', options_.stream);
   }
 
-  template <class Error>
-    requires std::convertible_to<Error, double> || std::invocable<Error&>
-  void operator()(double time, std::uint64_t step, Error&& energy_error) {
-    if (++calls_ < next_look_) return;
+  template <class Number>
+  requires std::convertible_to<Number, double> || std::invocable<Number&>
+  void operator()(double time, std::uint64_t step, Number&& energy_error) {
+    if (++calls_ < next_look_ && (time < options_.end || next_look_ == never)) return;
     const double now = seconds();
     // Looks spread over calls so that about 25 ms lie between two.
     const double since_look = now - last_look_;
@@ -55,8 +55,10 @@ class Progress {
     last_look_ = now;
     if (drawn_ && now - last_drawn_ < 0.25 && time < options_.end) return;
     last_drawn_ = now;
-    if constexpr (std::invocable<Error&>) draw(time, step, energy_error(), now);
-    else draw(time, step, energy_error, now);
+    if constexpr (std::invocable<Number&>)
+      draw(time, step, energy_error(), now);
+    else
+      draw(time, step, energy_error, now);
   }
 
  private:
@@ -67,8 +69,10 @@ class Progress {
   void draw(double time, std::uint64_t step, double energy_error, double now) {
     const double done = options_.end > 0 ? time / options_.end : 1;
     char rest[48] = "";
-    if (done >= 1) std::snprintf(rest, sizeof rest, "%s in all", duration(now).c_str());
-    else if (done > 0 && now > 0.5) std::snprintf(rest, sizeof rest, "%s left", duration(now / done - now).c_str());
+    if (done >= 1)
+      std::snprintf(rest, sizeof rest, "%s in all", duration(now).c_str());
+    else if (done > 0 && now > 0.5)
+      std::snprintf(rest, sizeof rest, "%s left", duration(now / done - now).c_str());
     std::fprintf(options_.stream, "\r\033[K%3.0f %%  t = %.4g of %.4g %s  step %llu  energy error %.2g %%  %s",
                  std::floor(100 * done), time, options_.end, options_.unit.c_str(),
                  static_cast<unsigned long long>(step), 100 * energy_error, rest);
@@ -78,9 +82,12 @@ class Progress {
 
   static std::string duration(double s) {
     char text[32];
-    if (s < 90) std::snprintf(text, sizeof text, "%.0f s", s);
-    else if (s < 5400) std::snprintf(text, sizeof text, "%.0f min", s / 60);
-    else std::snprintf(text, sizeof text, "%.1f h", s / 3600);
+    if (s < 90)
+      std::snprintf(text, sizeof text, "%.0f s", s);
+    else if (s < 5400)
+      std::snprintf(text, sizeof text, "%.0f min", s / 60);
+    else
+      std::snprintf(text, sizeof text, "%.1f h", s / 3600);
     return text;
   }
 

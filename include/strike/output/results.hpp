@@ -23,7 +23,7 @@ struct Result {
   std::string source = {};                                      ///< of the reference
 
   bool has_reference() const { return !std::isnan(reference); }
-  bool passes() const { return !has_reference() || std::abs(value - reference) <= tolerance; }
+  bool passes() const { return !std::isnan(value) && !(has_reference() && std::abs(value - reference) > tolerance); }
   /// Relative to the reference [%].
   double difference() const { return 100 * (value - reference) / std::abs(reference); }
 };
@@ -43,7 +43,8 @@ class Results {
   void write(const std::string& path) const {
     std::string text = "quantity,value,unit,reference,tolerance,source\n";
     for (const Result& r : rows_) {
-      text += detail::csv_escaped(r.quantity) + ',' + detail::shortest(r.value) + ',' + detail::csv_escaped(r.unit) + ',';
+      text +=
+          detail::csv_escaped(r.quantity) + ',' + detail::shortest(r.value) + ',' + detail::csv_escaped(r.unit) + ',';
       if (r.has_reference()) text += detail::shortest(r.reference);
       text += ',';
       if (std::isfinite(r.tolerance)) text += detail::shortest(r.tolerance);
@@ -54,10 +55,10 @@ class Results {
 
   /// The table in aligned columns, with the difference from the reference and whether it is within the tolerance.
   std::string table() const {
-    using Line = std::array<std::string, 8>;
-    std::vector<Line> lines{{"quantity", "value", "unit", "reference", "difference", "tolerance", "", "source"}};
+    using TableRow = std::array<std::string, 8>;
+    std::vector<TableRow> lines{{"quantity", "value", "unit", "reference", "difference", "tolerance", "", "source"}};
     for (const Result& r : rows_) {
-      Line line{r.quantity, number(r.value), r.unit, "", "", "", "", r.source};
+      TableRow line{r.quantity, number(r.value), r.unit, "", "", "", "", r.source};
       if (r.has_reference()) {
         line[3] = number(r.reference);
         char percent[32];
@@ -71,10 +72,10 @@ class Results {
       lines.push_back(std::move(line));
     }
     std::array<std::size_t, 8> width{};
-    for (const Line& line : lines)
+    for (const TableRow& line : lines)
       for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
     std::string text;
-    for (const Line& line : lines) {
+    for (const TableRow& line : lines) {
       for (std::size_t c = 0; c < line.size(); ++c) {
         const std::string space(width[c] - line[c].size(), ' ');
         const bool right = c == 1 || (c >= 3 && c <= 5);  // numbers

@@ -12,9 +12,9 @@ struct Units {
   double second = 1;    ///< unit of time [s]
   double kilogram = 1;  ///< unit of mass [kg]
 
-  constexpr double newton() const { return kilogram * metre / (second * second); }    ///< unit of force [N]
-  constexpr double pascal() const { return kilogram / (metre * second * second); }    ///< unit of stress [Pa]
-  constexpr double joule() const { return newton() * metre; }                         ///< unit of energy [J]
+  constexpr double newton() const { return kilogram * metre / (second * second); }  ///< unit of force [N]
+  constexpr double pascal() const { return kilogram / (metre * second * second); }  ///< unit of stress [Pa]
+  constexpr double joule() const { return newton() * metre; }                       ///< unit of energy [J]
   constexpr double kilogram_per_cubic_metre() const { return kilogram / (metre * metre * metre); }  ///< of density
 };
 

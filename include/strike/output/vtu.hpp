@@ -16,6 +16,8 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/output/field.hpp>
 #include <strike/output/file.hpp>
+#include <strike/output/xml.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 namespace detail {
@@ -45,47 +47,52 @@ class DataArray {
     bytes_.append(bytes, sizeof number);
   }
 
-  std::string xml(std::string_view name, std::size_t components = 1, std::string_view more = "") const {
-    constexpr bool real = std::is_floating_point_v<Number>;
-    constexpr std::string_view kind = real ? "Float" : std::is_signed_v<Number> ? "Int" : "UInt";
-    std::string text = "<DataArray type=\"" + std::string(kind) + std::to_string(8 * sizeof(Number)) + "\" Name=\"" +
-                       xml_escaped(name) + "\" NumberOfComponents=\"" + std::to_string(components) + '"' +
-                       std::string(more) + " format=\"binary\">";
+  void write(Xml& xml, std::string_view name, std::size_t components = 1) const {
+    constexpr std::string_view kind = std::is_floating_point_v<Number> ? "Float"
+                                      : std::is_signed_v<Number>       ? "Int"
+                                                                       : "UInt";
     const std::uint64_t count = bytes_.size();
-    std::string block(sizeof count, '\0');
+    std::string block(sizeof count, '\0'), text;
     std::memcpy(block.data(), &count, sizeof count);
-    append_base64(text, block + bytes_);
-    return text + "</DataArray>\n";
+    append_base64(text, block += bytes_);
+    xml.element("DataArray",
+                {{"type", joined({kind, std::to_string(8 * sizeof(Number))})},
+                 {"Name", name},
+                 {"NumberOfComponents", components},
+                 {"NumberOfTuples", count / (sizeof(Number) * components)},
+                 {"format", "binary"}},
+                text);
   }
 
  private:
   std::string bytes_;
 };
 
-inline std::string field_xml(const Field& field, std::size_t rows, const char* of_what) {
+inline void write_field(Xml& xml, const Field& field, std::size_t rows, std::string_view of_what) {
   if (field.rows.size() != rows)
-    throw Error("Field '" + field.name + "' has " + std::to_string(field.rows.size()) + " rows for " +
-                std::to_string(rows) + " " + of_what + ": give one row for each.");
+    throw Error(joined({"Field '", field.name, "' has ", std::to_string(field.rows.size()), " rows for ",
+                        std::to_string(rows), " ", of_what, ": give one row for each."}));
   DataArray<double> data;
   for (std::size_t i = 0; i < rows; ++i)
     for (const double number : field.rows[i]) data.push_back(number);
-  return data.xml(field.name, field.rows.components());
+  data.write(xml, field.name, field.rows.components());
 }
 
 }  // namespace detail
 
-/// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the cells
-/// of the mesh (hexahedra, then tetrahedra, then quadrilaterals), fields by node and by cell in the same order. Fields of
-/// 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file appears whole or
-/// not at all. Errors: numbers of rows that do not fit; a file that cannot be written.
+/// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the
+/// cells of the mesh (hexahedra, then tetrahedra, then quadrilaterals), fields by node and by cell in the same order.
+/// Fields of 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file appears
+/// whole or not at all. Errors: numbers of rows that do not fit; a file that cannot be written.
 inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
                       const std::vector<Field>& node_fields = {}, const std::vector<Field>& cell_fields = {}) {
   const std::size_t nodes = mesh.nodes.size();
   const std::size_t cells = mesh.hexahedra.size() + mesh.tetrahedra.size() + mesh.quadrilaterals.size();
   if (positions.size() != nodes || positions.components() != 3)
-    throw Error("VTU file '" + path + "' needs 3 coordinates for each of " + std::to_string(nodes) + " nodes, but got " +
-                std::to_string(positions.size()) + " rows of " + std::to_string(positions.components()) +
-                ": give the positions of the nodes of the mesh.");
+    throw Error(
+        detail::joined({"VTU file '", path, "' needs 3 coordinates for each of ", std::to_string(nodes),
+                        " nodes, but got ", std::to_string(positions.size()), " rows of ",
+                        std::to_string(positions.components()), ": give the positions of the nodes of the mesh."}));
 
   detail::DataArray<std::int64_t> connectivity, offsets;
   detail::DataArray<std::uint8_t> types;
@@ -97,26 +104,38 @@ inline void write_vtu(const std::string& path, double time, const Mesh& mesh, co
       types.push_back(type);
     }
   };
-  add(mesh.hexahedra, 12);  // VTK_HEXAHEDRON; its corners are numbered as ours, as are those of the others
-  add(mesh.tetrahedra, 10);      // VTK_TETRA
-  add(mesh.quadrilaterals, 9);   // VTK_QUAD
+  add(mesh.hexahedra, 12);      // VTK_HEXAHEDRON: its corners are numbered as ours, and so are those of the others
+  add(mesh.tetrahedra, 10);     // VTK_TETRA
+  add(mesh.quadrilaterals, 9);  // VTK_QUAD
   detail::DataArray<double> time_value;
   time_value.push_back(time);
 
-  std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"";
-  xml += std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-  xml += "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
-  xml += time_value.xml("TimeValue", 1, " NumberOfTuples=\"1\"");
-  xml += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(nodes) + "\" NumberOfCells=\"" +
-         std::to_string(cells) + "\">\n<Points>\n";
-  xml += detail::field_xml({"Points", positions}, nodes, "nodes");
-  xml += "</Points>\n<Cells>\n" + connectivity.xml("connectivity") + offsets.xml("offsets") + types.xml("types");
-  xml += "</Cells>\n<PointData>\n";
-  for (const Field& field : node_fields) xml += detail::field_xml(field, nodes, "nodes");
-  xml += "</PointData>\n<CellData>\n";
-  for (const Field& field : cell_fields) xml += detail::field_xml(field, cells, "cells");
-  xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  detail::replace_file(path, xml);
+  detail::Xml xml;
+  xml.raw("<?xml version=\"1.0\"?>\n");
+  xml.open("VTKFile", {{"type", "UnstructuredGrid"},
+                       {"version", "1.0"},
+                       {"byte_order", std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"},
+                       {"header_type", "UInt64"}});
+  xml.open("UnstructuredGrid");
+  xml.open("FieldData");
+  time_value.write(xml, "TimeValue");
+  xml.close();
+  xml.open("Piece", {{"NumberOfPoints", nodes}, {"NumberOfCells", cells}});
+  xml.open("Points");
+  detail::write_field(xml, {"Points", positions}, nodes, "nodes");
+  xml.close();
+  xml.open("Cells");
+  connectivity.write(xml, "connectivity");
+  offsets.write(xml, "offsets");
+  types.write(xml, "types");
+  xml.close();
+  xml.open("PointData");
+  for (const Field& field : node_fields) detail::write_field(xml, field, nodes, "nodes");
+  xml.close();
+  xml.open("CellData");
+  for (const Field& field : cell_fields) detail::write_field(xml, field, cells, "cells");
+  for (int tag = 0; tag < 4; ++tag) xml.close();
+  detail::replace_file(path, xml.str());
 }
 
 /// A film for ParaView: `stem_0000.vtu`, `stem_0001.vtu`, ... and two lists of them, `stem.pvd` and `stem.vtu.series`
@@ -135,20 +154,22 @@ class VtuSeries {
     const std::string name = std::filesystem::path(stem_).filename().string() + number;  // relative to the lists
     times_.push_back(time);
     const std::string t = detail::shortest(time);
-    pvd_ += "<DataSet timestep=\"" + t + "\" group=\"\" part=\"0\" file=\"" + detail::xml_escaped(name) + "\"/>\n";
-    series_ += (times_.size() > 1 ? ",\n" : "") + ("{ \"name\": \"" + name + "\", \"time\": " + t + " }");
+    list_.element("DataSet", {{"timestep", t}, {"part", 0}, {"file", name}});
+    series_ += detail::joined({times_.size() > 1 ? ",\n" : "", "{ \"name\": \"", name, "\", \"time\": ", t, " }"});
     detail::replace_file(stem_ + ".pvd",
-                         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +
-                             pvd_ + "</Collection>\n</VTKFile>\n");
+                         detail::joined({"<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                                         "<Collection>\n",
+                                         list_.str(), "</Collection>\n</VTKFile>\n"}));
     detail::replace_file(stem_ + ".vtu.series",
-                         "{ \"file-series-version\": \"1.0\", \"files\": [\n" + series_ + "\n] }\n");
+                         detail::joined({"{ \"file-series-version\": \"1.0\", \"files\": [\n", series_, "\n] }\n"}));
   }
 
   /// Times written so far.
   const std::vector<double>& times() const { return times_; }
 
  private:
-  std::string stem_, pvd_, series_;
+  std::string stem_, series_;
+  detail::Xml list_;
   std::vector<double> times_;
 };
 

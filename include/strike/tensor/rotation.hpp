@@ -39,7 +39,7 @@ struct Jaumann {
               A.yz + z * A.zx - y * A.xy + x * (A.yy - A.zz),
               A.zx + x * A.xy - z * A.yz + y * (A.zz - A.xx)};
     }
-    Vector3<T> operator()(const Vector3<T>& a) const { return a + w.cross(a); }
+    Vector3<T> operator()(const Vector3<T>& a) const { return a + cross(w, a); }
   };
   template <class T>
   Turn<T> turn(const Vector3<T>& w) const {

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <strike/scalar/eigen.hpp>
 #include <strike/scalar/math.hpp>
@@ -12,6 +11,11 @@ template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
+
+template <class T>
+Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
+  return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
+}
 
 /// Symmetric tensor of second order, by its six components.
 template <class T>
@@ -86,19 +90,19 @@ Vector3<T> axial_vector(const Matrix3<T>& A) {
 }
 
 /// Largest eigenvalue of a positive semidefinite tensor, from above: never less than the true value by more than
-/// rounding, and at most 0.15 % more. With q the mean eigenvalue, s = dev(A)/q and p^2 = s:s/6 it is q (1 + 2 p c),
-/// where c is the largest root of 4c^3 - 3c = r = det(s/p)/2. One Newton step on this convex, increasing branch lands
-/// above the root from any start c0 > 1/2; the start is the square root that is right at both ends r = -1 and r = 1.
+/// rounding, and at most 0.15 % more. With q the mean eigenvalue, s the deviator and p^2 = s:s/6 it is q + 2 p c, where
+/// c is the largest root of 4c^3 - 3c = r = det(s/p)/2. One Newton step on this convex, increasing branch lands above
+/// the root from any start c0 > 1/2; the start is the square root that is right at both ends r = -1 and r = 1.
 template <class T>
 T largest_eigenvalue(const SymmetricTensor<T>& A) {
   const T q = (1.0 / 3.0) * trace(A);
-  const SymmetricTensor<T> s = (1.0 / q) * deviator(A);
-  const T p2 = (1.0 / 6.0) * double_dot(s, s) + 1e-14;  // a sphere has no direction: any c serves there
+  const SymmetricTensor<T> s = deviator(A);
+  const T p2 = (1.0 / 6.0) * double_dot(s, s) + 1e-8 * q * q;  // a sphere has no direction: any c serves there
   const T p = sqrt(p2);
   const T r = max(T(-1.0), min(T(1.0), 0.5 * determinant(s) / (p2 * p)));
   const T c0 = 0.501 + sqrt(0.125 * (1.0 + r));
   const T c = (8.0 * c0 * c0 * c0 + r) / (12.0 * c0 * c0 - 3.0);
-  return q * (1.0 + 2.0 * p * c);
+  return q + 2.0 * p * c;
 }
 
 }  // namespace strike

@@ -59,13 +59,6 @@ double begin_eos(const E& eos, State& state) {
   }
 }
 
-/// The change of a volume v in a step of volumetric strain theta = tr(D) dt at mid-step: v_new - v_old, exact to third
-/// order.
-template <class T>
-T volume_increment(const T& v_new, const T& theta) {
-  return v_new * (2.0 * theta) / (2.0 + theta);
-}
-
 /// The pressure at the end of a step that changes the relative volume by dv to J and does the deviatoric work
 /// `deviatoric_work` per reference volume. The energy is implicit, which is closed-form because the equation is linear
 /// in it (Wilkins 1964; Hallquist, LS-DYNA Theory Manual, "Equations of state").

@@ -1,0 +1,242 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <strike/error.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/mesh/select.hpp>
+#include <strike/mesh/surface.hpp>
+#include <strike/output/colour.hpp>
+#include <strike/output/file.hpp>
+#include <strike/output/svg.hpp>
+
+namespace strike {
+
+/// Which side of a face is drawn.
+enum class Sides { outer, both };
+
+/// What a picture shows and how.
+struct PictureOptions {
+  std::string title = {}, caption = {};
+  std::string quantity = {}, unit = {};                   ///< head of the legend
+  Eigen::Vector3d from = {2, -3, 1};                      ///< direction in which the eye is, infinitely far
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();          ///< what is up in the picture
+  std::vector<Axis> mirror = {};                          ///< planes x = 0, y = 0, z = 0 in which the model is mirrored
+  double low = std::numeric_limits<double>::quiet_NaN();  ///< value at the lower end of the legend; NaN: the smallest
+  double high = std::numeric_limits<double>::quiet_NaN();  ///< value at the upper end; NaN: the largest
+  ColourMap colours = colour_maps::ember;
+  std::string length_unit = {};  ///< if given, a bar of a round length is drawn to scale
+  double size = 520;             ///< longer edge of the room for the model [px]
+};
+
+/// A picture of deformed surfaces coloured by a value per cell, as SVG:
+/// `Picture picture{{.title = "Taylor bar", .quantity = "plastic strain", .mirror = {Axis::x, Axis::y}}};
+///  picture.add(surface(mesh), positions, plastic_strain); picture.write("taylor.svg");`
+/// Parallel projection; faces are drawn from the back to the front by the depth of their centres.
+class Picture {
+ public:
+  explicit Picture(PictureOptions options) : options_(std::move(options)) {
+    if (!(options_.from.norm() > 0) || !(options_.up.norm() > 0))
+      throw Error("A picture needs a direction to the eye and one upward: give vectors that are not zero.");
+    toward_ = options_.from.normalized();
+    right_ = options_.up.cross(toward_);
+    if (right_.norm() < 1e-6 * options_.up.norm()) right_ = toward_.unitOrthogonal();  // the eye is right above
+    right_.normalize();
+    up_ = toward_.cross(right_);
+  }
+
+  /// Adds a surface with the positions of the nodes and `values[face.cell]`; without values it is plain grey.
+  /// Error: a face whose node or cell is not there.
+  void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions, std::span<const double> values = {},
+           Sides sides = Sides::outer) {
+    for (const Face& face : faces) {
+      if (*std::max_element(face.nodes.begin(), face.nodes.end()) >= positions.size())
+        throw Error(detail::joined({"A face of cell ", std::to_string(face.cell), " names a node beyond the ",
+                                    std::to_string(positions.size()), " positions: give the positions of all nodes."}));
+      if (!values.empty() && face.cell >= values.size())
+        throw Error(detail::joined({"Cell ", std::to_string(face.cell), " has no value among ",
+                                    std::to_string(values.size()), ": give one value for each cell."}));
+    }
+    for (const double value : values) note(value);
+    const double on_plane = 1e-6 * extent(positions);
+    add(faces, positions, values, sides, on_plane, Eigen::Vector3d::Ones(), 0);
+  }
+
+  /// Marks a place with a dot, on top of everything, and a label beside it.
+  void mark(const Eigen::Vector3d& place, std::string label = {}) { marks_.push_back({place, std::move(label)}); }
+
+  /// Writes the SVG file. Errors: nothing to draw; a file that cannot be written.
+  void write(const std::string& path) const { detail::replace_file(path, svg()); }
+
+  /// The SVG text.
+  std::string svg() const {
+    if (patches_.empty())
+      throw Error(detail::joined({"The picture '", options_.title, "' shows no face: add a surface first."}));
+    std::vector<const Patch*> order;
+    for (const Patch& patch : patches_) order.push_back(&patch);
+    std::stable_sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) { return a->depth < b->depth; });
+
+    Eigen::Vector2d lower = patches_[0].corners[0], upper = lower;
+    for (const Patch& patch : patches_)
+      for (std::size_t i = 0; i < patch.size; ++i) {
+        lower = lower.cwiseMin(patch.corners[i]);
+        upper = upper.cwiseMax(patch.corners[i]);
+      }
+    const Eigen::Vector2d room = upper - lower;
+    const double scale = options_.size / std::max(room.maxCoeff(), std::numeric_limits<double>::min());
+    const bool legend = low_ <= high_;
+    constexpr double margin = 40;
+    const double left = margin, head = options_.title.empty() ? margin : 84;
+    const double width = std::max(left + scale * room[0] + (legend ? 190 : margin),
+                                  std::max(420.0, 2 * margin + detail::text_width(options_.title, 21)));
+    const double model_left = left + (width - (legend ? 190 : margin) - left - scale * room[0]) / 2;
+    const auto x_of = [&](const Eigen::Vector2d& p) { return model_left + scale * (p[0] - lower[0]); };
+    const auto y_of = [&](const Eigen::Vector2d& p) { return head + scale * (upper[1] - p[1]); };
+    double foot = head + scale * room[1];
+
+    detail::Svg svg;
+    if (!options_.title.empty()) svg.text(left, 46, options_.title, {.size = 21, .fill = "#1a1a1a", .weight = "600"});
+
+    const double low = std::isnan(options_.low) ? low_ : options_.low;
+    const double high = std::isnan(options_.high) ? high_ : options_.high;
+    svg.open("g",
+             {{"stroke", "#000000"}, {"stroke-opacity", ".28"}, {"stroke-width", ".5"}, {"stroke-linejoin", "round"}});
+    for (const Patch* patch : order) {
+      const Colour colour = patch->plain ? Colour{0.86, 0.01, 250}
+                                         : options_.colours(high > low ? (patch->value - low) / (high - low) : 0);
+      std::string path;
+      double x = 0, y = 0;  // as rounded in the file, so that relative moves do not drift
+      for (std::size_t i = 0; i < patch->size; ++i) {
+        const double px = std::round(10 * x_of(patch->corners[i])) / 10,
+                     py = std::round(10 * y_of(patch->corners[i])) / 10;
+        const std::string dx = detail::pixels(px - x), dy = detail::pixels(py - y);
+        path += (i == 0 ? "M" : i == 1 ? "l" : dx[0] == '-' ? "" : " ") + dx + (dy[0] == '-' ? "" : " ") + dy;
+        x = px;
+        y = py;
+      }
+      svg.element("path", {{"fill", colour.in_light(patch->light).hex()}, {"d", path += 'z'}});
+    }
+    svg.close();
+
+    for (const Mark& mark : marks_) {
+      const Eigen::Vector2d p = projected(mark.place);
+      svg.element("circle", {{"cx", x_of(p)},
+                             {"cy", y_of(p)},
+                             {"r", 4},
+                             {"fill", "#ffffff"},
+                             {"stroke", "#1a1a1a"},
+                             {"stroke-width", "1.5"}});
+      svg.text(x_of(p) + 9, y_of(p) + 4.5, mark.label, {.fill = "#1a1a1a", .halo = "#ffffff"});
+    }
+    if (legend) foot = std::max(foot, draw_legend(svg, width - 138, head, low, high));
+    if (!options_.length_unit.empty()) foot = draw_scale_bar(svg, left, foot + 30, scale, room[0]);
+    double y = foot + 36;
+    if (!options_.caption.empty())
+      y = svg.paragraph(left, y, options_.caption, width - 2 * left, {.fill = "#595959"}) + 10;
+    return svg.file(width, y);
+  }
+
+ private:
+  struct Patch {
+    std::array<Eigen::Vector2d, 4> corners;
+    std::size_t size;
+    double depth, light, value;
+    bool plain;
+  };
+  struct Mark {
+    Eigen::Vector3d place;
+    std::string label;
+  };
+
+  void note(double value) {
+    if (!std::isfinite(value)) return;
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+  }
+
+  Eigen::Vector2d projected(const Eigen::Vector3d& x) const { return {right_.dot(x), up_.dot(x)}; }
+
+  /// Adds the faces reflected by the signs, and the images in the remaining planes of symmetry.
+  void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions, std::span<const double> values,
+           Sides sides, double on_plane, const Eigen::Vector3d& sign, std::size_t first_plane) {
+    for (const Face& face : faces) {
+      if (is_cut(face, positions, on_plane)) continue;
+      Eigen::Vector3d normal = area_vector(positions, face).normalized().cwiseProduct(sign);
+      if (sides == Sides::both && normal.dot(toward_) < 0) normal = -normal;
+      if (!(normal.dot(toward_) > 1e-3)) continue;
+      Patch patch;
+      patch.size = face.is_triangle() ? 3 : 4;
+      for (std::size_t i = 0; i < patch.size; ++i)
+        patch.corners[i] = projected(positions[face.nodes[i]].cwiseProduct(sign));
+      patch.depth = toward_.dot(centroid(positions, face).cwiseProduct(sign));
+      // Light from behind the eye's left shoulder; never dark, so that colours keep their meaning.
+      const Eigen::Vector3d lamp = (toward_ + 0.5 * up_ - 0.5 * right_).normalized();
+      patch.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
+      patch.plain = values.empty();
+      patch.value = patch.plain ? 0 : values[face.cell];
+      patches_.push_back(patch);
+    }
+    for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
+      Eigen::Vector3d reflected = sign;
+      reflected[static_cast<Eigen::Index>(options_.mirror[plane])] *= -1;
+      add(faces, positions, values, sides, on_plane, reflected, plane + 1);
+    }
+  }
+
+  /// Lies in a plane of symmetry, so that it is inside the whole body.
+  bool is_cut(const Face& face, std::span<const Eigen::Vector3d> positions, double on_plane) const {
+    return std::any_of(options_.mirror.begin(), options_.mirror.end(), [&](Axis axis) {
+      return std::all_of(face.nodes.begin(), face.nodes.end(), [&](Index node) {
+        return std::abs(positions[node][static_cast<Eigen::Index>(axis)]) <= on_plane;
+      });
+    });
+  }
+
+  /// The bar of colours from y downward; gives the y of its foot.
+  double draw_legend(detail::Svg& svg, double x, double y, double low, double high) const {
+    constexpr double bar_width = 16, bar_height = 240;
+    const double range = high > low ? high - low : std::max(std::abs(high), 1.0);
+    const auto ticks = detail::Ticks::between(low, low + range, 5);
+    y = svg.paragraph(x, y + 6, options_.quantity + ticks.unit_label(options_.unit), 118, {.fill = "#1a1a1a"}) + 2;
+    svg.open("linearGradient", {{"id", "legend"}, {"x1", 0}, {"y1", 1}, {"x2", 0}, {"y2", 0}});
+    for (int i = 0; i <= 24; ++i)
+      svg.element("stop", {{"offset", i / 24.0}, {"stop-color", options_.colours(i / 24.0).hex()}});
+    svg.close();
+    svg.element("rect", {{"x", x}, {"y", y}, {"width", bar_width}, {"height", bar_height}, {"fill", "url(#legend)"}});
+    for (const double mark : ticks.in(low, low + range)) {
+      const double at = y + bar_height * (1 - (mark - low) / range);
+      svg.line(x + bar_width, at, x + bar_width + 5, at, "#595959", 1);
+      svg.text(x + bar_width + 10, at + 4.5, ticks.label(mark));
+    }
+    return y + bar_height;
+  }
+
+  /// A bar of a round length; gives the y of its foot.
+  double draw_scale_bar(detail::Svg& svg, double x, double y, double scale, double room) const {
+    const double length = detail::Ticks::between(0, room, 3).step;
+    const double end = x + scale * length;
+    svg.line(x, y, end, y, "#595959", 1.5);
+    svg.line(x, y - 4, x, y + 4, "#595959", 1.5);
+    svg.line(end, y - 4, end, y + 4, "#595959", 1.5);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", length);
+    svg.text(end + 10, y + 4.5, detail::joined({text, " ", options_.length_unit}), {.fill = "#595959"});
+    return y + 6;
+  }
+
+  PictureOptions options_;
+  Eigen::Vector3d toward_, right_, up_;
+  std::vector<Patch> patches_;
+  std::vector<Mark> marks_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace strike
