@@ -3,16 +3,17 @@
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
 
 /// A number and its derivatives by N variables (forward automatic differentiation): u + u,i d_i with d_i d_j = 0.
-/// T is any Scalar; `Dual<Dual<double, N>, N>` has the second derivatives. Compares, and so selects, by the value; where
-/// a formula has a kink (abs, min, max, select) the derivative is that of the branch taken, at abs(0) the right one.
-/// An infinite slope, as of sqrt at 0, gives an infinite or NaN derivative and a right value.
-/// (Griewank and Walther, Evaluating Derivatives, 2008, section 3.1.)
+/// T is any Scalar; `Dual<Dual<double, N>, N>` has the second derivatives. Compares, and so selects, by the value;
+/// where a formula has a kink (abs, min, max, select) the derivative is that of the branch taken, at abs(0) the right
+/// one. An infinite slope, as of sqrt at 0, gives an infinite or NaN derivative and a right value. (Griewank and
+/// Walther, Evaluating Derivatives, 2008, section 3.1.)
 template <class T, std::size_t N>
 class Dual {
   template <class U>
@@ -25,7 +26,7 @@ class Dual {
   Dual() = default;
   template <class U>
   requires is_constant<U>
-  constexpr Dual(const U& value) : value_(value), derivatives_{} {  // implicit: literals stand in formulas
+  constexpr Dual(const U& value) : value_(static_cast<T>(value)) {  // implicit: literals stand in formulas
     derivatives_.fill(T(0));
   }
   constexpr Dual(const T& value, const std::array<T, N>& derivatives) : value_(value), derivatives_(derivatives) {}
@@ -64,24 +65,16 @@ class Dual {
   // A constant has no derivatives: half the work, and no 0 * inf.
   template <class U>
   requires is_constant<U>
-  friend constexpr Dual operator+(const Dual& a, const U& b) {
-    return {a.value_ + T(b), a.derivatives_};
-  }
+  friend constexpr Dual operator+(const Dual& a, const U& b) { return {a.value_ + T(b), a.derivatives_}; }
   template <class U>
   requires is_constant<U>
-  friend constexpr Dual operator+(const U& a, const Dual& b) {
-    return b + a;
-  }
+  friend constexpr Dual operator+(const U& a, const Dual& b) { return b + a; }
   template <class U>
   requires is_constant<U>
-  friend constexpr Dual operator-(const Dual& a, const U& b) {
-    return {a.value_ - T(b), a.derivatives_};
-  }
+  friend constexpr Dual operator-(const Dual& a, const U& b) { return {a.value_ - T(b), a.derivatives_}; }
   template <class U>
   requires is_constant<U>
-  friend constexpr Dual operator-(const U& a, const Dual& b) {
-    return -b + a;
-  }
+  friend constexpr Dual operator-(const U& a, const Dual& b) { return -b + a; }
   template <class U>
   requires is_constant<U>
   friend constexpr Dual operator*(const Dual& a, const U& b) {
@@ -90,9 +83,7 @@ class Dual {
   }
   template <class U>
   requires is_constant<U>
-  friend constexpr Dual operator*(const U& a, const Dual& b) {
-    return b * a;
-  }
+  friend constexpr Dual operator*(const U& a, const Dual& b) { return b * a; }
   template <class U>
   requires is_constant<U>
   friend constexpr Dual operator/(const Dual& a, const U& b) {
@@ -140,7 +131,7 @@ class Dual {
 
   friend Dual sqrt(const Dual& a) {
     const T root = sqrt(a.value_);
-    return chain(a, root, 0.5 / root);
+    return chain(a, root, T(0.5) / root);
   }
   friend Dual cbrt(const Dual& a) {
     const T root = cbrt(a.value_);
@@ -157,7 +148,7 @@ class Dual {
   friend Dual pow(const Dual& a, const U& b) {
     const T n(b);
     const T slope = n * pow(a.value_, n - 1);
-    return chain(a, pow(a.value_, n), select(n == T(0), T(0), slope));
+    return chain(a, pow(a.value_, n), select(n == T(0) && a.value_ == T(0), T(0), slope));
   }
   template <class U>
   requires is_constant<U>
@@ -171,8 +162,8 @@ class Dual {
     const Dual by_base = pow(a, b.value_);
     const Dual by_exponent = pow(a.value_, b);
     return map(by_base.value_, [&](std::size_t i) {
-      const T still = select(b.derivatives_[i] == T(0), T(0), by_exponent.derivatives_[i]);  // a < 0 has no log
-      return by_base.derivatives_[i] + still;
+      const auto constant = b.derivatives_[i] == T(0) && a.value_ <= T(0);  // there a^b has no slope in b
+      return by_base.derivatives_[i] + select(constant, T(0), by_exponent.derivatives_[i]);
     });
   }
 
@@ -192,5 +183,51 @@ class Dual {
   T value_;
   std::array<T, N> derivatives_;
 };
+
+namespace detail {
+template <class T, std::size_t N>
+struct ScalarTraits<Dual<T, N>> {
+  using Real = RealOf<T>;
+  using Lane = Dual<LaneOf<T>, N>;
+  static constexpr std::size_t lanes = strike::lanes<T>;
+};
+}  // namespace detail
+
+template <class T, std::size_t N>
+constexpr LaneOf<Dual<T, N>> lane(const Dual<T, N>& a, std::size_t i) {
+  std::array<LaneOf<T>, N> derivatives;
+  for (std::size_t k = 0; k < N; ++k) derivatives[k] = lane(a.derivative(k), i);
+  return {lane(a.value(), i), derivatives};
+}
+template <class T, std::size_t N>
+constexpr void set_lane(Dual<T, N>& a, std::size_t i, const LaneOf<Dual<T, N>>& lane_i) {
+  T value = a.value();
+  set_lane(value, i, lane_i.value());
+  std::array<T, N> derivatives;
+  for (std::size_t k = 0; k < N; ++k) {
+    derivatives[k] = a.derivative(k);
+    set_lane(derivatives[k], i, lane_i.derivative(k));
+  }
+  a = {value, derivatives};
+}
+
+template <class T, std::size_t N>
+constexpr LaneOf<Dual<T, N>> reduce_sum(const Dual<T, N>& a) {
+  auto s = lane(a, 0);
+  for (std::size_t i = 1; i < lanes<T>; ++i) s += lane(a, i);
+  return s;
+}
+template <class T, std::size_t N>
+constexpr LaneOf<Dual<T, N>> reduce_min(const Dual<T, N>& a) {
+  auto s = lane(a, 0);
+  for (std::size_t i = 1; i < lanes<T>; ++i) s = min(s, lane(a, i));
+  return s;
+}
+template <class T, std::size_t N>
+constexpr LaneOf<Dual<T, N>> reduce_max(const Dual<T, N>& a) {
+  auto s = lane(a, 0);
+  for (std::size_t i = 1; i < lanes<T>; ++i) s = max(s, lane(a, i));
+  return s;
+}
 
 }  // namespace strike

@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 
+#include <strike/scalar/dual.hpp>
 #include <strike/scalar/pack.hpp>
+#include <strike/scalar/scalar.hpp>
 
 namespace strike::detail {
 
@@ -12,10 +14,17 @@ template <class T>
 inline constexpr bool is_composite = false;
 template <class T, std::size_t N>
 inline constexpr bool is_composite<Pack<T, N>> = true;
+template <class T, std::size_t N>
+inline constexpr bool is_composite<Dual<T, N>> = true;
 
-/// What Eigen asks of a number S whose built-in number is T.
-template <class S, class T>
+/// What may stand beside a number S in Eigen's formulas: what S is made of, and every built-in number.
+template <class U, class S>
+concept Constituent = is_composite<S> &&(std::is_arithmetic_v<U> || std::same_as<U, typename S::value_type>);
+
+/// What Eigen asks of a number S.
+template <class S>
 struct EigenTraits {
+  using T = RealOf<S>;
   using Real = S;
   using NonInteger = S;
   using Nested = S;
@@ -40,18 +49,23 @@ struct EigenTraits {
 
 }  // namespace strike::detail
 
-/// A Pack is a scalar of Eigen: `Eigen::Matrix<Pack<double, 8>, 3, 3>`, in which double literals and matrices of
-/// doubles may stand. What branches on a value (`normalized`, decompositions with pivots) does not compile.
+/// Packs and Duals are scalars of Eigen: `Eigen::Matrix<Pack<double, 8>, 3, 3>`, in whose formulas literals and
+/// matrices of doubles may stand. What branches on a value (`normalized`, decompositions with pivots) needs a scalar
+/// whose comparison is a bool, and does not compile for packs.
 template <class T, std::size_t N>
-struct Eigen::NumTraits<strike::Pack<T, N>> : strike::detail::EigenTraits<strike::Pack<T, N>, T> {};
+struct Eigen::NumTraits<strike::Pack<T, N>> : strike::detail::EigenTraits<strike::Pack<T, N>> {};
+template <class T, std::size_t N>
+struct Eigen::NumTraits<strike::Dual<T, N>> : strike::detail::EigenTraits<strike::Dual<T, N>> {};
 
-template <class T, std::size_t N, class Operation>
-struct Eigen::ScalarBinaryOpTraits<strike::Pack<T, N>, double, Operation> {
-  using ReturnType = strike::Pack<T, N>;
+template <class S, class U, class Operation>
+requires strike::detail::Constituent<U, S>
+struct Eigen::ScalarBinaryOpTraits<S, U, Operation> {
+  using ReturnType = S;
 };
-template <class T, std::size_t N, class Operation>
-struct Eigen::ScalarBinaryOpTraits<double, strike::Pack<T, N>, Operation> {
-  using ReturnType = strike::Pack<T, N>;
+template <class S, class U, class Operation>
+requires strike::detail::Constituent<U, S>
+struct Eigen::ScalarBinaryOpTraits<U, S, Operation> {
+  using ReturnType = S;
 };
 
 // Eigen's blocked matrix products branch on values and mix no scalars; here every product goes by coefficients.

@@ -76,18 +76,24 @@ namespace detail {
 template <class T>
 struct ScalarTraits {
   using Real = T;
+  using Lane = T;
   static constexpr std::size_t lanes = 1;
 };
 template <class T, std::size_t N>
 struct ScalarTraits<Pack<T, N>> {
   using Real = T;
+  using Lane = T;
   static constexpr std::size_t lanes = N;
 };
 }  // namespace detail
 
-/// The built-in number in a lane: `double` or `float`.
+/// The built-in number that T is made of: `double` or `float`.
 template <class T>
 using RealOf = typename detail::ScalarTraits<T>::Real;
+
+/// What stands in one lane of T: its built-in number, or the Dual of that.
+template <class T>
+using LaneOf = typename detail::ScalarTraits<T>::Lane;
 
 /// How many independent numbers T carries.
 template <class T>
@@ -95,14 +101,14 @@ inline constexpr std::size_t lanes = detail::ScalarTraits<T>::lanes;
 
 /// Lane i of a scalar, whatever it is.
 template <class T>
-constexpr RealOf<T> lane(const T& a, std::size_t i) {
-  if constexpr (lanes<T> == 1 && !requires { a[i]; })
-    return (void)i, a;
-  else
+constexpr LaneOf<T> lane(const T& a, std::size_t i) {
+  if constexpr (requires { a[i]; })
     return a[i];
+  else
+    return (void)i, a;
 }
 template <class T>
-constexpr void set_lane(T& a, std::size_t i, RealOf<T> value) {
+constexpr void set_lane(T& a, std::size_t i, std::type_identity_t<LaneOf<T>> value) {
   if constexpr (requires { a.set(i, value); })
     a.set(i, value);
   else
