@@ -5,8 +5,8 @@
 
 namespace strike {
 
-/// What a user did wrong or what went wrong in a run, as one sentence: what, which thing (its number and place), what to
-/// do.
+/// What a user did wrong or what went wrong in a run, as one sentence: what, which thing (its number and place), what
+/// to do.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -18,8 +18,10 @@ template <class... Parts>
 std::string say(const Parts&... parts) {
   std::string text;
   const auto add = [&](const auto& part) {
-    if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(part)>>) text.append(std::to_string(part));
-    else text.append(part);
+    if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(part)>>)
+      text.append(std::to_string(part));
+    else
+      text.append(part);
   };
   (add(parts), ...);
   return text;

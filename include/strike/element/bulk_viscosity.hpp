@@ -10,6 +10,11 @@ struct BulkViscosity {
   double quadratic = 1.5;  ///< C0
   double linear = 0.06;    ///< C1
 
+  template <class T>
+  struct State {
+    T pressure{};  ///< q of the last step: the balance of energy needs the mean over a step
+  };
+
   /// q, positive in compression.
   template <class T>
   T pressure(const T& wave_modulus, const T& s) const {
@@ -22,6 +27,9 @@ struct BulkViscosity {
   }
 };
 
-struct NoBulkViscosity {};
+struct NoBulkViscosity {
+  template <class T>
+  struct State {};
+};
 
 }  // namespace strike

@@ -27,6 +27,7 @@ struct Hex8 {
   template <class M, class T>
   struct State {
     T inverse_volume{};  ///< 1/V0
+    [[no_unique_address]] typename Viscosity::template State<T> viscosity{};
     [[no_unique_address]] typename Hourglass::template State<T> hourglass{};
     typename M::template State<T> material{};
 
@@ -73,13 +74,15 @@ struct Hex8 {
       return max(T(0.0), -theta) * stability.crossing_time(moduli.wave());
     };
     T q = T(0.0);
+    response.bulk_viscosity_work = T(0.0);
     if constexpr (viscous) {
       const Moduli<T> moduli = material.moduli(state.material, rate);
       q = bulk_viscosity.pressure(moduli.wave(), compression_per_crossing(moduli));
+      response.bulk_viscosity_work = -0.5 * (state.viscosity.pressure + q) * dV;
+      state.viscosity.pressure = q;
       if constexpr (requires { state.material.internal_energy; })
-        state.material.internal_energy += -q * dV * state.inverse_volume;
+        state.material.internal_energy += response.bulk_viscosity_work * state.inverse_volume;
     }
-    response.bulk_viscosity_work = -q * dt * theta * (V - 0.5 * dV);
 
     const SymmetricTensor<T> before = material.stress(state.material);
     SymmetricTensor<T> sigma = material.stress(state.material, rate, dt);

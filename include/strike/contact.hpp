@@ -1,0 +1,2 @@
+#pragma once
+#include <strike/contact/rigid_wall.hpp>

@@ -1,0 +1,6 @@
+#pragma once
+#include <strike/dynamics/explicit.hpp>
+#include <strike/dynamics/gather.hpp>
+#include <strike/dynamics/ledger.hpp>
+#include <strike/dynamics/part.hpp>
+#include <strike/dynamics/scene.hpp>

@@ -1,0 +1,3 @@
+#pragma once
+#include <strike/load/initial_velocity.hpp>
+#include <strike/load/symmetry.hpp>
