@@ -40,8 +40,8 @@ class Explicit {
       : options_(options), nodes_(scene.nodes), things_(start(std::move(scene.things), nodes_)) {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (!(nodes_.mass(i) > 0))
-        throw Error(detail::say("strike: node ", i, " at ", place(i),
-                                " has no mass, for it belongs to no element; remove it."));
+        throw Error(detail::joined({"strike: node ", std::to_string(i), " at ", place(i),
+                                    " has no mass, for it belongs to no element; remove it."}));
     each([&](auto& thing) {
       if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
     });
@@ -64,14 +64,21 @@ class Explicit {
     push();
   }
 
-  /// Steps until the time `end` and calls the observers after each step; the last step ends there to rounding.
+  /// Steps until the time `end` and calls the observers before the first and after each step: `f()` or `f(run)`. The
+  /// last step ends there exactly. If the run has to be given up, observers with a `last(run)` get it before the Error
+  /// leaves.
   template <class... Observers>
   void until(double end, Observers&&... observers) {
     end_ = end;
     (observe(observers), ...);
-    while (time_ < end_) {
-      step();
-      (observe(observers), ...);
+    try {
+      while (time_ < end_) {
+        step();
+        (observe(observers), ...);
+      }
+    } catch (...) {
+      (observe_last(observers), ...);
+      throw;
     }
   }
 
@@ -129,18 +136,20 @@ class Explicit {
       observer();
   }
 
+  template <class Observer>
+  void observe_last(Observer& observer) {
+    if constexpr (requires { observer.last(*this); }) observer.last(*this);
+  }
+
   void choose_step() {
     const double before = step_.dt;
     double dt = std::min(options_.step_factor * stable_.dt, options_.largest_step);
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
     if (!(dt > options_.smallest_step))
-      stop(detail::say("the time step has fallen to ", detail::text(dt), " because of element ", stable_.element,
-                       " of part ", stable_.part));
+      stop(detail::joined({"the time step has fallen to ", detail::text(dt), " because of element ",
+                           std::to_string(stable_.element), " of part ", std::to_string(stable_.part)}));
     const double left = end_ - time_;
-    if (dt >= left)
-      dt = left;
-    else if (2 * dt > left)
-      dt = 0.5 * left;
+    if (2 * dt > left) dt = dt < left ? 0.5 * left : left;
     step_ = {step_.number + 1, time_, before, dt};
   }
 
@@ -171,13 +180,14 @@ class Explicit {
     ledger_.kinetic += ledger_.impulses_before();
     energy_ = ledger_.energy();
     if (!(energy_.kinetic >= -options_.energy_tolerance * energy_.scale()))
-      stop(detail::say("the velocities grow from step to step with changing sign (kinetic energy ",
-                       detail::text(energy_.kinetic), "): the step is beyond stability; use a smaller step factor"));
+      stop(detail::joined({"the velocities grow from step to step with changing sign (kinetic energy ",
+                           detail::text(energy_.kinetic),
+                           "): the step is beyond stability; use a smaller step factor"}));
     if (!(std::abs(energy_.error()) <= options_.energy_tolerance))
-      stop(detail::say("the energy balance is off by ", detail::text(100 * energy_.error()), " % of ",
-                       detail::text(energy_.scale()),
-                       "; use a smaller step factor or look for what is wrong near element ", stable_.element,
-                       " of part ", stable_.part));
+      stop(detail::joined({"the energy balance is off by ", detail::text(100 * energy_.error()), " % of ",
+                           detail::text(energy_.scale()),
+                           "; use a smaller step factor or look for what is wrong near element ",
+                           std::to_string(stable_.element), " of part ", std::to_string(stable_.part)}));
     ledger_.settle();
     each([&](auto& thing) {
       if constexpr (requires { thing.power(nodes_); }) ledger_.external.book(0.5 * step_.dt * thing.power(nodes_));
@@ -190,7 +200,13 @@ class Explicit {
       nodes_.wide(nodes_.position()[i]) += dt * nodes_.wide(nodes_.velocity()[i]);
       nodes_.wide(nodes_.force()[i]).setZero();
     }
-    time_ += step_.dt;
+    if (step_.dt >= end_ - time_) {
+      time_ = end_;
+    } else {  // summed with its rounding error (Kahan 1965): exact to the last digit after any number of steps
+      const double increment = step_.dt - time_error_, sum = time_ + increment;
+      time_error_ = (sum - time_) - increment;
+      time_ = sum;
+    }
   }
 
   void deform() {
@@ -218,7 +234,8 @@ class Explicit {
   }
 
   [[noreturn]] void stop(const std::string& why) const {
-    throw Error(detail::say("strike: at t = ", detail::text(time_), ", step ", step_.number, ": ", why, "."));
+    throw Error(detail::joined(
+        {"strike: at t = ", detail::text(time_), ", step ", std::to_string(step_.number), ": ", why, "."}));
   }
   std::string place(std::size_t i) const { return detail::text(Eigen::Vector3d(nodes_.x(i).template cast<double>())); }
 
@@ -229,7 +246,7 @@ class Explicit {
   Energy energy_;
   Step step_;
   StableStep stable_;
-  double time_ = 0, end_ = std::numeric_limits<double>::infinity();
+  double time_ = 0, time_error_ = 0, end_ = std::numeric_limits<double>::infinity();
 };
 
 template <class... Things>

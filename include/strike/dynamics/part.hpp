@@ -51,23 +51,25 @@ class RunningPart {
         material_(std::move(part.material)),
         size_(part.cells.size()),
         number_(number) {
-    if (size_ == 0) throw Error(detail::say("strike: part ", number, " has no elements; give it cells."));
+    if (size_ == 0)
+      throw Error(detail::joined({"strike: part ", std::to_string(number), " has no elements; give it cells."}));
     blocks_.resize((size_ + width - 1) / width);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       for (std::size_t l = 0; l < width; ++l) {
         const auto& cell = part.cells[std::min(b * width + l, size_ - 1)];  // idle lanes repeat the last element
         for (std::size_t i = 0; i < n; ++i) {
           if (cell[i] >= nodes.size())
-            throw Error(detail::say("strike: ", name(b * width + l), " names node ", cell[i], ", but there are ",
-                                    nodes.size(), " nodes; correct its connectivity."));
+            throw Error(detail::joined({"strike: ", name(b * width + l), " names node ", std::to_string(cell[i]),
+                                        ", but there are ", std::to_string(nodes.size()),
+                                        " nodes; correct its connectivity."}));
           blocks_[b].nodes[i][l] = cell[i];
         }
       }
       const T mass = element_.begin(blocks_[b].state, material_, gather<T, n>(nodes.position(), blocks_[b].nodes));
       for (std::size_t l = 0; l < count(b); ++l) {
         if (!(lane(mass, l) > 0))
-          throw Error(detail::say("strike: ", name(b * width + l), " at ", place(nodes, b * width + l),
-                                  " has no positive mass; its corners are in the wrong order or coincide."));
+          throw Error(detail::joined({"strike: ", name(b * width + l), " at ", place(nodes, b * width + l),
+                                      " has no positive mass; its corners are in the wrong order or coincide."}));
         for (std::size_t i = 0; i < n; ++i) nodes.mass(blocks_[b].nodes[i][l]) += lane(mass, l);
       }
     }
@@ -142,7 +144,7 @@ class RunningPart {
   const std::vector<Block>& blocks() const { return blocks_; }
 
   std::string name(std::size_t e) const {
-    return detail::say("element ", std::min(e, size_ - 1), " of part ", number_);
+    return detail::joined({"element ", std::to_string(std::min(e, size_ - 1)), " of part ", std::to_string(number_)});
   }
   std::string place(const Nodes<Real>& nodes, std::size_t e) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -167,11 +169,11 @@ class RunningPart {
                                     gather<T, n>(nodes.velocity(), block_nodes), 0.0)
                            .volume;
       if (!(lane(volume, e % width) > 0))
-        throw Error(detail::say(name(e), " at ", place(nodes, e), " is inverted (volume ",
-                                detail::text(static_cast<double>(lane(volume, e % width))),
-                                "); refine the mesh there, use a smaller step factor or let the material fail"));
+        throw Error(detail::joined({name(e), " at ", place(nodes, e), " is inverted (volume ",
+                                    detail::text(static_cast<double>(lane(volume, e % width))),
+                                    "); refine the mesh there, use a smaller step factor or let the material fail"}));
     }
-    throw Error(detail::say("part ", number_, " has an element whose volume is not a number"));
+    throw Error(detail::joined({"part ", std::to_string(number_), " has an element whose volume is not a number"}));
   }
 
   E element_;

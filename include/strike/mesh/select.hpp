@@ -61,6 +61,11 @@ std::vector<Index> nodes_where(std::span<const Eigen::Vector3d> nodes, P predica
   return chosen;
 }
 
+/// Numbers of all nodes.
+inline std::vector<Index> all_nodes(std::span<const Eigen::Vector3d> nodes) {
+  return nodes_where(nodes, [](const Eigen::Vector3d&) { return true; });
+}
+
 /// Numbers of the cells whose centroid satisfies the predicate, in ascending order:
 /// `cells_where(mesh.nodes, mesh.hexahedra, [](const auto& x) { return x[2] < 1; })`.
 template <std::size_t N, PositionPredicate P>

@@ -28,8 +28,11 @@ inline Mesh translated(Mesh mesh, const Eigen::Vector3d& displacement) {
 
 /// The mesh turned right-handedly about an axis through the origin by an angle [rad].
 inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
-  const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-  return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(R * x); });
+  const Eigen::Vector3d n = axis.normalized();
+  const double c = std::cos(angle), s = std::sin(angle);
+  return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {  // Rodrigues' formula
+    return Eigen::Vector3d(c * x + s * n.cross(x) + (1 - c) * n.dot(x) * n);
+  });
 }
 
 /// The mesh stretched from the origin by one positive factor per axis.

@@ -82,24 +82,26 @@ class Picture {
       throw Error(detail::joined({"The picture '", options_.title, "' shows no face: add a surface first."}));
     std::vector<const Patch*> order;
     for (const Patch& patch : patches_) order.push_back(&patch);
-    std::stable_sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) { return a->depth < b->depth; });
+    std::sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
+      return a->depth != b->depth ? a->depth < b->depth : a < b;  // one order on every machine
+    });
 
-    Eigen::Vector2d lower = patches_[0].corners[0], upper = lower;
+    Eigen::Vector3d lower = patches_[0].corners[0], upper = lower;
     for (const Patch& patch : patches_)
       for (std::size_t i = 0; i < patch.size; ++i) {
         lower = lower.cwiseMin(patch.corners[i]);
         upper = upper.cwiseMax(patch.corners[i]);
       }
-    const Eigen::Vector2d room = upper - lower;
-    const double scale = options_.size / std::max(room.maxCoeff(), std::numeric_limits<double>::min());
+    const Eigen::Vector3d room = upper - lower;
+    const double scale = options_.size / std::max({room[0], room[1], std::numeric_limits<double>::min()});
     const bool legend = low_ <= high_;
     constexpr double margin = 40;
     const double left = margin, head = options_.title.empty() ? margin : 84;
     const double width = std::max(left + scale * room[0] + (legend ? 190 : margin),
                                   std::max(420.0, 2 * margin + detail::text_width(options_.title, 21)));
     const double model_left = left + (width - (legend ? 190 : margin) - left - scale * room[0]) / 2;
-    const auto x_of = [&](const Eigen::Vector2d& p) { return model_left + scale * (p[0] - lower[0]); };
-    const auto y_of = [&](const Eigen::Vector2d& p) { return head + scale * (upper[1] - p[1]); };
+    const auto x_of = [&](const Eigen::Vector3d& p) { return model_left + scale * (p[0] - lower[0]); };
+    const auto y_of = [&](const Eigen::Vector3d& p) { return head + scale * (upper[1] - p[1]); };
     double foot = head + scale * room[1];
 
     detail::Svg svg;
@@ -127,7 +129,7 @@ class Picture {
     svg.close();
 
     for (const Mark& mark : marks_) {
-      const Eigen::Vector2d p = projected(mark.place);
+      const Eigen::Vector3d p = projected(mark.place);
       svg.element("circle", {{"cx", x_of(p)},
                              {"cy", y_of(p)},
                              {"r", 4},
@@ -146,7 +148,7 @@ class Picture {
 
  private:
   struct Patch {
-    std::array<Eigen::Vector2d, 4> corners;
+    std::array<Eigen::Vector3d, 4> corners;
     std::size_t size;
     double depth, light, value;
     bool plain;
@@ -162,21 +164,26 @@ class Picture {
     high_ = std::max(high_, value);
   }
 
-  Eigen::Vector2d projected(const Eigen::Vector3d& x) const { return {right_.dot(x), up_.dot(x)}; }
+  /// x and y in the picture, and depth toward the eye.
+  Eigen::Vector3d projected(const Eigen::Vector3d& x) const { return {right_.dot(x), up_.dot(x), toward_.dot(x)}; }
+
+  static Eigen::Vector3d reflected(const Eigen::Vector3d& x, const Eigen::Vector3d& sign) {
+    return {x[0] * sign[0], x[1] * sign[1], x[2] * sign[2]};
+  }
 
   /// Adds the faces reflected by the signs, and the images in the remaining planes of symmetry.
   void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions, std::span<const double> values,
            Sides sides, double on_plane, const Eigen::Vector3d& sign, std::size_t first_plane) {
     for (const Face& face : faces) {
       if (is_cut(face, positions, on_plane)) continue;
-      Eigen::Vector3d normal = area_vector(positions, face).normalized().cwiseProduct(sign);
+      Eigen::Vector3d normal = reflected(area_vector(positions, face).normalized(), sign);
       if (sides == Sides::both && normal.dot(toward_) < 0) normal = -normal;
       if (!(normal.dot(toward_) > 1e-3)) continue;
       Patch patch;
       patch.size = face.is_triangle() ? 3 : 4;
       for (std::size_t i = 0; i < patch.size; ++i)
-        patch.corners[i] = projected(positions[face.nodes[i]].cwiseProduct(sign));
-      patch.depth = toward_.dot(centroid(positions, face).cwiseProduct(sign));
+        patch.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
+      patch.depth = projected(reflected(centroid(positions, face), sign))[2];
       // Light from behind the eye's left shoulder; never dark, so that colours keep their meaning.
       const Eigen::Vector3d lamp = (toward_ + 0.5 * up_ - 0.5 * right_).normalized();
       patch.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
@@ -185,9 +192,9 @@ class Picture {
       patches_.push_back(patch);
     }
     for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
-      Eigen::Vector3d reflected = sign;
-      reflected[static_cast<Eigen::Index>(options_.mirror[plane])] *= -1;
-      add(faces, positions, values, sides, on_plane, reflected, plane + 1);
+      Eigen::Vector3d image = sign;
+      image[static_cast<Eigen::Index>(options_.mirror[plane])] *= -1;
+      add(faces, positions, values, sides, on_plane, image, plane + 1);
     }
   }
 

@@ -31,7 +31,7 @@ inline double text_width(std::string_view text, double size) {
 }
 
 /// Words in lines of at most `width` [px].
-inline std::vector<std::string> wrapped(std::string_view text, double size, double width) {
+[[gnu::cold]] inline std::vector<std::string> wrapped(std::string_view text, double size, double width) {
   std::vector<std::string> lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
@@ -48,8 +48,8 @@ inline std::vector<std::string> wrapped(std::string_view text, double size, doub
 /// A drawing being written, y downward, in pixels.
 class Svg : public Xml {
  public:
-  void line(double x1, double y1, double x2, double y2, std::string_view stroke, double width,
-            std::string_view dashes = "") {
+  [[gnu::cold]] void line(double x1, double y1, double x2, double y2, std::string_view stroke, double width,
+                          std::string_view dashes = "") {
     element("line", {{"x1", x1},
                      {"y1", y1},
                      {"x2", x2},
@@ -59,7 +59,7 @@ class Svg : public Xml {
                      {"stroke-dasharray", dashes}});
   }
 
-  void text(double x, double y, std::string_view words, const Font& font = {}) {
+  [[gnu::cold]] void text(double x, double y, std::string_view words, const Font& font = {}) {
     constexpr std::string_view anchors[] = {"", "middle", "end"};
     const std::string turn = joined({"rotate(", pixels(-font.turn), " ", pixels(x), " ", pixels(y), ")"});
     element("text",
@@ -77,7 +77,7 @@ class Svg : public Xml {
   }
 
   /// Lines of a paragraph from y downward; gives the y after it.
-  double paragraph(double x, double y, std::string_view words, double width, const Font& font = {}) {
+  [[gnu::cold]] double paragraph(double x, double y, std::string_view words, double width, const Font& font = {}) {
     for (const std::string& line : wrapped(words, font.size, width)) {
       text(x, y, line, font);
       y += 1.45 * font.size;

@@ -12,7 +12,7 @@
 namespace strike::detail {
 
 /// A length in a drawing: two decimals, no trailing zeros.
-inline std::string pixels(double x) {
+[[gnu::cold]] inline std::string pixels(double x) {
   char buffer[32];
   std::string digits{buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed, 2).ptr};
   digits.erase(digits.find_last_not_of('0') + 1);
@@ -21,7 +21,7 @@ inline std::string pixels(double x) {
 }
 
 /// Text for XML: & < > and quotes as entities.
-inline std::string xml_escaped(std::string_view text) {
+[[gnu::cold]] inline std::string xml_escaped(std::string_view text) {
   std::string escaped;
   for (const char c : text) switch (c) {
       case '&':
@@ -60,21 +60,21 @@ using Attributes = std::initializer_list<Attribute>;
 /// An XML text being written.
 class Xml {
  public:
-  void open(std::string_view tag, Attributes attributes = {}) {
+  [[gnu::cold]] void open(std::string_view tag, Attributes attributes = {}) {
     begin(tag, attributes);
     text_ += ">\n";
     tags_.push_back(tag);
   }
-  void close() {
+  [[gnu::cold]] void close() {
     end(tags_.back());
     tags_.pop_back();
   }
-  void element(std::string_view tag, Attributes attributes) {
+  [[gnu::cold]] void element(std::string_view tag, Attributes attributes) {
     begin(tag, attributes);
     text_ += "/>\n";
   }
   /// With text inside that is already XML.
-  void element(std::string_view tag, Attributes attributes, std::string_view content) {
+  [[gnu::cold]] void element(std::string_view tag, Attributes attributes, std::string_view content) {
     begin(tag, attributes);
     text_ += '>';
     text_ += content;
@@ -85,7 +85,7 @@ class Xml {
   const std::string& str() const { return text_; }
 
  private:
-  void begin(std::string_view tag, Attributes attributes) {
+  [[gnu::cold]] void begin(std::string_view tag, Attributes attributes) {
     text_ += '<';
     text_ += tag;
     for (const Attribute& attribute : attributes)
@@ -93,7 +93,7 @@ class Xml {
         text_ += joined({" ", attribute.name, "=\"",
                          attribute.is_number ? pixels(attribute.number) : xml_escaped(attribute.text), "\""});
   }
-  void end(std::string_view tag) {
+  [[gnu::cold]] void end(std::string_view tag) {
     text_ += "</";
     text_ += tag;
     text_ += ">\n";

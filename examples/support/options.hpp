@@ -1,0 +1,80 @@
+#pragma once
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <strike/error.hpp>
+#include <strike/text.hpp>
+
+namespace examples {
+
+/// The key=value arguments of a program. Asking for a key marks it as known; `check()` refuses the rest.
+class Options {
+ public:
+  Options(int count, char** arguments) {
+    for (int i = 1; i < count; ++i) {
+      const std::string_view argument = arguments[i];
+      const std::size_t equals = argument.find('=');
+      if (equals == std::string_view::npos)
+        throw strike::Error(strike::detail::joined({"Argument '", argument, "' is not of the form key=value."}));
+      given_.insert_or_assign(std::string(argument.substr(0, equals)), std::string(argument.substr(equals + 1)));
+    }
+  }
+
+  double number(const std::string& key, double otherwise) {
+    const std::string* text = find(key, strike::detail::text(otherwise));
+    if (!text) return otherwise;
+    double value = 0;
+    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+    if (error != std::errc{} || end != text->data() + text->size())
+      throw strike::Error(strike::detail::joined({"'", key, "=", *text, "' is not a number."}));
+    return value;
+  }
+  unsigned count(const std::string& key, unsigned otherwise) {
+    const double value = number(key, otherwise);
+    if (!(value >= 1 && value <= 1e6 && value == static_cast<unsigned>(value)))
+      throw strike::Error(strike::detail::joined({"'", key, "' must be a whole number from 1 to 1000000."}));
+    return static_cast<unsigned>(value);
+  }
+  std::string text(const std::string& key, const std::string& otherwise) {
+    const std::string* text = find(key, otherwise);
+    return text ? *text : otherwise;
+  }
+
+  /// Error: a key was given that nobody asked for; the sentence lists those that there are.
+  void check() const {
+    for (const auto& [key, value] : given_)
+      if (!known_.contains(key)) {
+        std::string keys;
+        for (const auto& [name, usual] : known_)
+          keys += strike::detail::joined({keys.empty() ? "" : ", ", name, "=", usual});
+        throw strike::Error(strike::detail::joined({"There is no option '", key, "'; there are ", keys, "."}));
+      }
+  }
+
+ private:
+  const std::string* find(const std::string& key, const std::string& usual) {
+    known_.insert_or_assign(key, usual);
+    const auto found = given_.find(key);
+    return found == given_.end() ? nullptr : &found->second;
+  }
+  std::map<std::string, std::string> given_, known_;
+};
+
+/// Runs the program and turns an Error into one line and a failure.
+inline int run(int count, char** arguments, const std::function<void(Options&)>& program) {
+  try {
+    Options options(count, arguments);
+    program(options);
+    return EXIT_SUCCESS;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return EXIT_FAILURE;
+  }
+}
+
+}  // namespace examples

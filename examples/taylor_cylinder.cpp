@@ -1,0 +1,188 @@
+// Taylor's copper cylinder: 3.2 mm x 32.4 mm strikes a rigid wall at 227 m/s and comes to rest in 80 microseconds.
+//
+//   bash examples/run taylor_cylinder
+//   bash examples/run taylor_cylinder cells=6 layers=100
+//   bash examples/run taylor_cylinder scalar=float hourglass=0.05
+//   bash examples/run taylor_cylinder element=full wall=unilateral
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+#include <strike/strike.hpp>
+
+#include "support/options.hpp"
+
+using namespace strike;
+
+namespace {
+
+// Millimetres, milliseconds, kilograms; so kN, GPa and J.
+constexpr Units unit_system = units::mm_ms_kg;
+constexpr double radius = 3.2, length = 32.4, speed = 227, end = 0.08;
+constexpr double youngs_modulus = 117, poissons_ratio = 0.35;
+
+const Solid copper{
+    LinearEos{.density = 8.93e-6, .bulk_modulus = youngs_modulus / (3 * (1 - 2 * poissons_ratio))},
+    VonMises{
+        .shear_modulus = youngs_modulus / (2 * (1 + poissons_ratio)), .yield_stress = 0.4, .hardening_modulus = 0.1}};
+
+struct Study {
+  Index cells, layers;
+  double step_factor;
+  bool unilateral;
+  std::string what;
+};
+
+template <class Element, class T>
+void strike_wall(Element element, In<T> number, const Study& study) {
+  // A quarter of the bar. The foot slides on the wall; `wall=unilateral` also lets it leave.
+  const Mesh bar = cylinder({.radius = radius, .length = length, .cells = study.cells, .layers = study.layers});
+  const std::vector<Index> foot = nodes_where(bar.nodes, on_plane(Axis::z, 0)), nobody;
+
+  Explicit run{Scene{bar.nodes,                                                        //
+                     Part{element, copper, bar.hexahedra},                             //
+                     InitialVelocity{{0, 0, -speed}},                                  //
+                     Symmetry{Axis::x, nodes_where(bar.nodes, on_plane(Axis::x, 0))},  //
+                     Symmetry{Axis::y, nodes_where(bar.nodes, on_plane(Axis::y, 0))},  //
+                     Symmetry{Axis::z, study.unilateral ? nobody : foot},              //
+                     RigidWall{{0, 0, 0}, {0, 0, 1}, study.unilateral ? all_nodes(bar.nodes) : nobody}},
+               ExplicitOptions{.step_factor = study.step_factor}, number};
+
+  // What is watched.
+  const auto bar_length = [&] {
+    double top = 0;
+    for (const auto& x : run.positions()) top = std::max(top, x.z());
+    return top;
+  };
+  const auto foot_radius = [&] {
+    double r = 0;
+    for (const auto& x : run.positions()) r = std::max(r, std::hypot(x.x(), x.y()));
+    return r;
+  };
+  const auto plastic_strain = [&] {
+    return run.template thing<0>().field([](const auto& s) { return s.equivalent_plastic_strain; });
+  };
+
+  std::vector<double> times, lengths;
+  History history{"history.csv",
+                  {{"time", "ms"},
+                   {"length", "mm"},
+                   {"radius", "mm"},
+                   {"kinetic energy", "J"},
+                   {"internal energy", "J"},
+                   {"hourglass energy", "J"},
+                   {"bulk viscosity", "J"},
+                   {"contact", "J"},
+                   {"energy error", "1"}}};
+  VtuSeries film{"bar"};
+  Progress progress{{.end = end, .unit = "ms"}};
+  double drift = 0;
+  const std::clock_t begin = std::clock();
+  run.until(end,  //
+            Every{end / 160,
+                  [&] {
+                    const Energy& e = run.energy();
+                    times.push_back(1000 * run.time()), lengths.push_back(bar_length());
+                    history.row(run.time(), bar_length(), foot_radius(), 4 * e.kinetic, 4 * e.internal, 4 * e.hourglass,
+                                4 * e.bulk_viscosity, 4 * e.contact, e.error());
+                  }},
+            Every{end / 16,
+                  [&] {
+                    film.write(run.time(), bar, run.positions(), {}, {{"equivalent plastic strain", plastic_strain()}});
+                  }},
+            [&] {
+              drift = std::max(drift, std::abs(run.energy().error()));
+              progress(run.time(), run.steps(), run.energy().error());
+            });
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+
+  const std::vector<double> strain = plastic_strain();
+  const double L = bar_length(), R = foot_radius(), eps = *std::max_element(strain.begin(), strain.end());
+  const Energy& e = run.energy();
+
+  // The published table (Brockman and Held 1991) and the limit of fine meshes (docs/verification.md).
+  struct Row {
+    const char* quantity;
+    double ours;
+    std::array<double, 5> others;
+  };
+  std::printf("\nTaylor cylinder, %zu hexahedra, %s\n\n", bar.hexahedra.size(), study.what.c_str());
+  std::printf("%-24s%9s%9s%9s%9s%11s%11s%10s%11s\n", "", "X3D", "DYNA2D", "DYNA3D", "NIKE2D", "converged", "this run",
+              "to X3D", "to limit");
+  for (const Row& row : {Row{"final length [mm]", L, {21.47, 21.47, 21.47, 21.47, 21.42}},
+                         Row{"foot radius [mm]", R, {7.081, 7.127, 7.034, 7.068, 7.22}},
+                         Row{"largest plastic strain", eps, {2.95, 3.05, 2.95, 2.97, 3.3}}}) {
+    std::printf("%-24s", row.quantity);
+    for (const double other : row.others) std::printf(&other == &row.others[4] ? "%11.2f" : "%9.3f", other);
+    std::printf("%11.4f%+9.2f %%%+9.2f %%\n", row.ours, 100 * (row.ours / row.others[0] - 1),
+                100 * (row.ours / row.others[4] - 1));
+  }
+  std::printf(
+      "\n%zu steps (X3D: 8886), %.2f s of CPU with its output (X3D: 6 h 36 min), %.0f ns per element and step\n",
+      run.steps(), seconds, 1e9 * seconds / static_cast<double>(run.steps() * bar.hexahedra.size()));
+  std::printf("\nEnergies of the whole bar [J], of the initial kinetic energy [%%]\n");
+  for (const auto& [name, energy] : {std::pair{"initial kinetic", e.initial},
+                                     {"kinetic", e.kinetic},
+                                     {"internal", e.internal},
+                                     {"hourglass", e.hourglass},
+                                     {"bulk viscosity", e.bulk_viscosity},
+                                     {"contact", e.contact}})
+    std::printf("  %-18s%10.4f%10.3f %%\n", name, 4 * energy, 100 * energy / e.initial);
+  std::printf("  %-18s%10s%10.4f %%\n", "largest error", "", 100 * drift);
+
+  const bool usual = study.cells == 3 && study.layers == 50;
+  Results results;
+  const double wide = std::numeric_limits<double>::infinity();
+  results.add({"final length", L, "mm", usual ? 21.47 : 21.42, usual ? 0.08 : wide,
+               usual ? "X3D (Brockman and Held 1991)" : "limit of fine meshes"});
+  results.add({"foot radius", R, "mm", usual ? 7.08 : 7.22, usual ? 0.08 : wide,
+               usual ? "X3D (Brockman and Held 1991)" : "limit of fine meshes"});
+  results.add({"largest plastic strain", eps, "1", usual ? 2.92 : 3.3, usual ? 0.12 : wide,
+               usual ? "X3D, DYNA3D; see docs/verification.md" : "limit of fine meshes"});
+  results.add({"energy error", drift, "1", 0, 1e-3, "balance"});
+  results.add({"hourglass energy", e.hourglass / e.initial, "1", 0, 0.02, "of the initial kinetic energy"});
+  results.add({"steps", static_cast<double>(run.steps()), "1", 8886, wide, "X3D"});
+  results.add({"CPU time", seconds, "s"});
+  results.write("results.csv");
+
+  Chart chart{{.title = "Length of the Taylor bar",
+               .x = {.label = "time", .unit = "us"},
+               .y = {.label = "length", .unit = "mm"}}};
+  chart.curve("strike", times, lengths);
+  chart.points("X3D, DYNA, NIKE: final length", {80}, {21.47});
+  chart.write("length.svg");
+  Picture picture{{.title = "Taylor cylinder at 80 us",
+                   .quantity = "equivalent plastic strain",
+                   .mirror = {Axis::x, Axis::y},
+                   .length_unit = "mm"}};
+  picture.add(surface(bar), run.positions(), strain);
+  picture.write("bar.svg");
+  std::printf("\nWritten: results.csv, history.csv, length.svg, bar.svg, bar.pvd (ParaView)\n");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return examples::run(count, arguments, [](examples::Options& options) {
+    Study study{.cells = options.count("cells", 3),
+                .layers = options.count("layers", 50),
+                .step_factor = options.number("step", 0.9),
+                .unilateral = options.text("wall", "held") == "unilateral",
+                .what = {}};
+    const std::string scalar = options.text("scalar", "double"), element = options.text("element", "hex8");
+    const double Q = options.number("hourglass", 0.1);
+    options.check();
+    study.what = detail::joined(
+        {element, ", ", scalar, ", hourglass ", detail::text(Q), study.unilateral ? ", unilateral wall" : ""});
+
+    const Hex8 brick{ViscousHourglass{.coefficient = Q}};
+    if (scalar != "float" && scalar != "double")
+      throw Error("scalar=" + scalar + " is not known: choose double or float.");
+    if (scalar == "float")
+      strike_wall(brick, in<Pack<float>>, study);
+    else
+      strike_wall(brick, in<Pack<double>>, study);
+  });
+}

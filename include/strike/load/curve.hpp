@@ -1,0 +1,48 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// A history in straight pieces between points, level before the first and after the last. Any function of the time
+/// serves where a Curve does.
+class Curve {
+ public:
+  struct Point {
+    double time, value;
+  };
+
+  /// Errors: no points; times that do not increase.
+  Curve(std::vector<Point> points) : points_(std::move(points)) {
+    if (points_.empty()) throw Error("A curve has no points: give it at least one.");
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      if (!(points_[i].time > points_[i - 1].time))
+        throw Error(detail::joined({"Point ", std::to_string(i), " of a curve is at time ",
+                                    detail::text(points_[i].time), ", not after the one before at ",
+                                    detail::text(points_[i - 1].time), ": sort the points by time."}));
+  }
+
+  double operator()(double time) const {
+    const auto next =
+        std::upper_bound(points_.begin(), points_.end(), time, [](double t, const Point& p) { return t < p.time; });
+    if (next == points_.begin()) return points_.front().value;
+    if (next == points_.end()) return points_.back().value;
+    const Point &a = *(next - 1), &b = *next;
+    return a.value + (b.value - a.value) * ((time - a.time) / (b.time - a.time));
+  }
+
+ private:
+  std::vector<Point> points_;
+};
+
+/// The same at all times.
+struct Constant {
+  double value = 1;
+  double operator()(double) const { return value; }
+};
+
+}  // namespace strike

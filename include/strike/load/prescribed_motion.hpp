@@ -1,0 +1,77 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include <strike/load/curve.hpp>
+#include <strike/mesh/nodes.hpp>
+#include <strike/mesh/select.hpp>
+
+namespace strike {
+
+namespace detail {
+
+/// Nodes whose velocity along a direction is given for each step; the work of the forces that it takes is external.
+class PrescribedMotion {
+ public:
+  PrescribedMotion(const Eigen::Vector3d& direction, std::vector<Index> nodes)
+      : direction_(direction.normalized()), nodes_(std::move(nodes)) {}
+
+  template <class N, class Ledger>
+  void impose(double velocity, N& nodes, const Step& step, Ledger& ledger) const {
+    using Vector = typename N::Vector;
+    using Real = typename Vector::Scalar;
+    const Vector direction = direction_.template cast<Real>();
+    const Real kick = static_cast<Real>(step.kick()), given = static_cast<Real>(velocity);
+    for (const Index i : nodes_) {
+      const Real m = nodes.mass(i), free = nodes.v(i).dot(direction);
+      const Real before = free - kick / m * nodes.f(i).dot(direction);
+      nodes.v(i) += (given - free) * direction;
+      const Real impulse = m * (given - free);
+      ledger.external.book_impulse(static_cast<double>(impulse * before), static_cast<double>(impulse * given));
+    }
+  }
+
+ private:
+  Eigen::Vector3d direction_;
+  std::vector<Index> nodes_;
+};
+
+}  // namespace detail
+
+/// Nodes that move along a direction with a given history of velocity, v(t).
+template <class History>
+class PrescribedVelocity : detail::PrescribedMotion {
+ public:
+  PrescribedVelocity(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
+      : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}
+  PrescribedVelocity(Axis axis, std::vector<Index> nodes, History history)
+      : PrescribedVelocity(unit(axis), std::move(nodes), std::move(history)) {}
+
+  template <class N, class Ledger>
+  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
+    this->impose(history_(step.time + 0.5 * step.dt), nodes, step, ledger);
+  }
+
+ private:
+  History history_;
+};
+
+/// Nodes that move along a direction with a given history of displacement, u(t), exactly at every step.
+template <class History>
+class PrescribedDisplacement : detail::PrescribedMotion {
+ public:
+  PrescribedDisplacement(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
+      : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}
+  PrescribedDisplacement(Axis axis, std::vector<Index> nodes, History history)
+      : PrescribedDisplacement(unit(axis), std::move(nodes), std::move(history)) {}
+
+  template <class N, class Ledger>
+  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
+    this->impose((history_(step.time + step.dt) - history_(step.time)) / step.dt, nodes, step, ledger);
+  }
+
+ private:
+  History history_;
+};
+
+}  // namespace strike

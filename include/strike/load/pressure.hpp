@@ -1,0 +1,51 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include <strike/load/curve.hpp>
+#include <strike/mesh/nodes.hpp>
+#include <strike/mesh/surface.hpp>
+#include <strike/tensor/tensor.hpp>
+
+namespace strike {
+
+/// A pressure p(t) on faces, along their normals as they move: each corner takes its equal share of -p times the vector
+/// area, so that the resultant is exact on any face.
+template <class History>
+class Pressure {
+ public:
+  Pressure(std::vector<Face> faces, History history) : faces_(std::move(faces)), history_(std::move(history)) {}
+
+  template <class N>
+  void push(N& nodes, double time) {
+    using Vector = typename N::Vector;
+    const double p = history_(time);
+    forces_.resize(faces_.size());
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const auto& corner = faces_[i].nodes;
+      const auto x = [&](std::size_t k) -> Eigen::Vector3d { return nodes.x(corner[k]).template cast<double>(); };
+      const Eigen::Vector3d along = x(2) - x(0), across = x(3) - x(1);
+      const double share = corner[2] == corner[3] ? 1.0 / 3 : 0.25;
+      forces_[i] = -share * p * 0.5 * cross<double>(along, across);
+      for (std::size_t k = 0; k < corners(corner); ++k)
+        nodes.f(corner[k]) += forces_[i].cast<typename Vector::Scalar>();
+    }
+  }
+  template <class N>
+  double power(const N& nodes) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k)
+        sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
+    return sum;
+  }
+
+ private:
+  static std::size_t corners(const std::array<Index, 4>& corner) { return corner[2] == corner[3] ? 3 : 4; }
+
+  std::vector<Face> faces_;
+  History history_;
+  std::vector<Eigen::Vector3d> forces_;  // on each corner of a face, as pushed last
+};
+
+}  // namespace strike

@@ -1,0 +1,9 @@
+#pragma once
+#include <strike/output/chart.hpp>
+#include <strike/output/field.hpp>
+#include <strike/output/history.hpp>
+#include <strike/output/picture.hpp>
+#include <strike/output/progress.hpp>
+#include <strike/output/results.hpp>
+#include <strike/output/units.hpp>
+#include <strike/output/vtu.hpp>

@@ -1,0 +1,11 @@
+#pragma once
+#include <strike/contact.hpp>
+#include <strike/dynamics.hpp>
+#include <strike/element.hpp>
+#include <strike/load.hpp>
+#include <strike/material.hpp>
+#include <strike/mesh.hpp>
+#include <strike/output.hpp>
+#include <strike/scalar.hpp>
+#include <strike/tensor.hpp>
+#include <strike/version.hpp>
