@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/output/chart.hpp>
+#include <strike/output/colour.hpp>
 #include <strike/output/field.hpp>
 #include <strike/output/history.hpp>
 #include <strike/output/picture.hpp>

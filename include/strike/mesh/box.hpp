@@ -7,6 +7,7 @@
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 

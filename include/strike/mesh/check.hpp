@@ -14,6 +14,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 namespace detail {

@@ -8,6 +8,7 @@
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 

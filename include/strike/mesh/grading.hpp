@@ -5,6 +5,7 @@
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 

@@ -13,6 +13,7 @@
 #include <strike/error.hpp>
 #include <strike/output/file.hpp>
 #include <strike/output/svg.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 

@@ -9,6 +9,7 @@
 
 #include <strike/error.hpp>
 #include <strike/output/file.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 

@@ -17,6 +17,7 @@
 #include <strike/output/colour.hpp>
 #include <strike/output/file.hpp>
 #include <strike/output/svg.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 

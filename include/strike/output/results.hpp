@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <strike/output/file.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 
