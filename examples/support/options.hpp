@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -6,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <strike/error.hpp>
 #include <strike/text.hpp>
@@ -40,9 +42,16 @@ class Options {
       throw strike::Error(strike::detail::joined({"'", key, "' must be a whole number from 1 to 1000000."}));
     return static_cast<unsigned>(value);
   }
-  std::string text(const std::string& key, const std::string& otherwise) {
-    const std::string* text = find(key, otherwise);
-    return text ? *text : otherwise;
+  /// One of some words, the first if none is given.
+  std::string choice(const std::string& key, const std::vector<std::string>& words) {
+    const std::string* text = find(key, words.front());
+    if (!text) return words.front();
+    if (std::find(words.begin(), words.end(), *text) == words.end()) {
+      std::string list;
+      for (const std::string& word : words) list += strike::detail::joined({list.empty() ? "" : ", ", word});
+      throw strike::Error(strike::detail::joined({"'", key, "=", *text, "' is not known; choose one of ", list, "."}));
+    }
+    return *text;
   }
 
   /// Error: a key was given that nobody asked for; the sentence lists those that there are.

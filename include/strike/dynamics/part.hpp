@@ -79,7 +79,8 @@ class RunningPart {
   /// work to the ledger, and returns the least stable step. Throws if an element is inverted; no node has moved by
   /// then.
   [[gnu::flatten]] StableStep deform(Nodes<Real>& nodes, double dt, Ledger& ledger) {
-    T least = T(std::numeric_limits<Real>::max()), where = T(0.0), volume = T(std::numeric_limits<Real>::max());
+    T least = T(std::numeric_limits<Real>::max()), where = T(0.0);
+    T inverted_volume = T(1.0), inverted = T(0.0);
     T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       Block& block = blocks_[b];
@@ -90,13 +91,18 @@ class RunningPart {
 
       where = select(response.stable_step < least, T(static_cast<double>(b)), where);
       least = min(response.stable_step, least);
-      volume = select(response.volume > volume, volume, response.volume);  // keeps a NaN
+      const auto sound = response.volume > 0.0;
+      inverted = select(sound, inverted, T(static_cast<double>(b)));
+      inverted_volume = select(sound, inverted_volume, response.volume);
       const T mine = b + 1 < blocks_.size() ? T(1.0) : busy();
       internal += mine * response.internal_work;
       hourglass += mine * response.hourglass_work;
       bulk_viscosity += mine * response.bulk_viscosity_work;
     }
-    if (!all(volume > 0.0)) explain_inversion(nodes);
+    for (std::size_t l = 0; l < width; ++l)
+      if (!(lane(inverted_volume, l) > 0))
+        explain_inversion(nodes, static_cast<std::size_t>(lane(inverted, l)) * width + l,
+                          static_cast<double>(lane(inverted_volume, l)));
     ledger.internal.book(static_cast<double>(reduce_sum(internal)));
     ledger.hourglass.book(static_cast<double>(reduce_sum(hourglass)));
     ledger.bulk_viscosity.book(static_cast<double>(reduce_sum(bulk_viscosity)));
@@ -160,20 +166,11 @@ class RunningPart {
     return ones;
   }
 
-  [[noreturn]] void explain_inversion(const Nodes<Real>& nodes) const {
-    for (std::size_t e = 0; e < size_; ++e) {
-      State scratch = blocks_[e / width].state;
-      const auto& block_nodes = blocks_[e / width].nodes;
-      const T volume = element_
-                           .advance(scratch, material_, gather<T, n>(nodes.position(), block_nodes),
-                                    gather<T, n>(nodes.velocity(), block_nodes), 0.0)
-                           .volume;
-      if (!(lane(volume, e % width) > 0))
-        throw Error(detail::joined({name(e), " at ", place(nodes, e), " is inverted (volume ",
-                                    detail::text(static_cast<double>(lane(volume, e % width))),
-                                    "); refine the mesh there, use a smaller step factor or let the material fail"}));
-    }
-    throw Error(detail::joined({"part ", std::to_string(number_), " has an element whose volume is not a number"}));
+  [[noreturn, gnu::cold, gnu::noinline]] void explain_inversion(const Nodes<Real>& nodes, std::size_t e,
+                                                                double volume) const {
+    throw Error(detail::joined({name(e), " at ", place(nodes, std::min(e, size_ - 1)), " is inverted (volume ",
+                                detail::text(volume),
+                                "); refine the mesh there, use a smaller step factor or let the material fail"}));
   }
 
   E element_;
