@@ -71,6 +71,27 @@ T determinant(const SymmetricTensor<T>& a) {
   return a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.zx) + a.zx * (a.xy * a.yz - a.yy * a.zx);
 }
 
+/// A x.
+template <class T>
+Vector3<T> operator*(const SymmetricTensor<T>& A, const Vector3<T>& x) {
+  return {A.xx * x(0) + A.xy * x(1) + A.zx * x(2), A.xy * x(0) + A.yy * x(1) + A.yz * x(2),
+          A.zx * x(0) + A.yz * x(1) + A.zz * x(2)};
+}
+
+/// x x^T.
+template <class T>
+SymmetricTensor<T> outer_square(const Vector3<T>& x) {
+  return {x(0) * x(0), x(1) * x(1), x(2) * x(2), x(0) * x(1), x(1) * x(2), x(2) * x(0)};
+}
+
+template <class T>
+SymmetricTensor<T> inverse(const SymmetricTensor<T>& a) {
+  const T xx = a.yy * a.zz - a.yz * a.yz, xy = a.yz * a.zx - a.xy * a.zz, zx = a.xy * a.yz - a.yy * a.zx;
+  const T w = 1.0 / (a.xx * xx + a.xy * xy + a.zx * zx);
+  return {w * xx, w * (a.zz * a.xx - a.zx * a.zx), w * (a.xx * a.yy - a.xy * a.xy),
+          w * xy, w * (a.zx * a.xy - a.xx * a.yz), w * zx};
+}
+
 /// Von Mises equivalent of a deviator s: sqrt(3/2 s : s).
 template <class T>
 T equivalent_stress(const SymmetricTensor<T>& s) {
@@ -97,9 +118,8 @@ template <class T>
 T largest_eigenvalue(const SymmetricTensor<T>& A) {
   const T q = (1.0 / 3.0) * trace(A);
   const SymmetricTensor<T> s = deviator(A);
-  const T p2 = (1.0 / 6.0) * double_dot(s, s) + 1e-8 * q * q;  // a sphere has no direction: any c serves there
-  const T p = sqrt(p2);
-  const T r = max(T(-1.0), min(T(1.0), 0.5 * determinant(s) / (p2 * p)));
+  const T p = sqrt((1.0 / 6.0) * double_dot(s, s) + 1e-8 * q * q);  // a sphere has no direction: any c serves there
+  const T r = max(T(-1.0), min(T(1.0), 0.5 * determinant(T(1.0 / p) * s)));
   const T c0 = 0.501 + sqrt(0.125 * (1.0 + r));
   const T c = (8.0 * c0 * c0 * c0 + r) / (12.0 * c0 * c0 - 3.0);
   return q + 2.0 * p * c;

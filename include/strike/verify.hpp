@@ -1,0 +1,4 @@
+#pragma once
+// Drivers with which a law is verified before it meets a mesh.
+#include <strike/verify/material_point.hpp>
+#include <strike/verify/path.hpp>

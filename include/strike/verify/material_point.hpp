@@ -1,0 +1,255 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <strike/element/element.hpp>
+#include <strike/error.hpp>
+#include <strike/material/material.hpp>
+#include <strike/output/history.hpp>
+#include <strike/tensor/rotation.hpp>
+#include <strike/verify/path.hpp>
+
+namespace strike {
+
+/// A material point at one time.
+template <class M>
+struct Record {
+  double time = 0;
+  Matrix3<double> deformation_gradient = Matrix3<double>::Identity();  ///< F
+  SymmetricTensor<double> rate_of_deformation{};                       ///< D in the middle of the step that led here
+  SymmetricTensor<double> stress{};                                    ///< Cauchy
+  double work = 0;                                                     ///< of the stress, per reference volume
+  typename M::template State<double> state{};                          ///< what the material remembers
+
+  double relative_volume() const { return deformation_gradient.determinant(); }
+  /// Logarithmic strain of Hencky, ln V with F = V R.
+  SymmetricTensor<double> strain() const {
+    const Matrix3<double>& F = deformation_gradient;
+    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> V2(F * F.transpose());
+    const Vector3<double> half_log = 0.5 * V2.eigenvalues().array().log();
+    return symmetric_part<double>(V2.eigenvectors() * half_log.asDiagonal() * V2.eigenvectors().transpose());
+  }
+};
+
+/// One material point without a mesh, to verify a law: strain or stress is prescribed, component by component, and the
+/// history comes back. The kinematics are those of the elements at mid-step, and `rotation` turns the state.
+///   MaterialPoint point{copper};
+///   const auto history = point.run(cyclic(uniaxial_stress({.strain = 0.02, .rate = 1e3}), 3));
+///   write("curve.csv", history);
+/// Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point then
+/// is what it was before the step.
+template <SolidMaterial M, Rotation R = HughesWinget>
+class MaterialPoint {
+ public:
+  explicit MaterialPoint(M material, R rotation = {}) : material_(std::move(material)), rotation_(std::move(rotation)) {
+    if constexpr (requires { material_.begin(now_.state); }) material_.begin(now_.state);
+    now_.stress = material_.stress(std::as_const(now_.state));
+  }
+
+  const M& material() const { return material_; }
+  const Record<M>& now() const { return now_; }
+  Moduli<double> moduli() const {
+    return material_.moduli(now_.state, {now_.rate_of_deformation, now_.relative_volume()});
+  }
+
+  /// One step with the velocity gradient L in its middle. A component with a prescribed stress reaches that; L has the
+  /// first guess of its rate.
+  const Record<M>& step(const Matrix3<double>& L, double dt, const PrescribedStress& stress = {}) {
+    return advance(symmetric_part(L), axial_vector(L), dt, stress);
+  }
+
+  /// One step to the deformation gradient F: L dt = 2 (F - F_old) (F + F_old)^-1.
+  const Record<M>& deform(const Matrix3<double>& F, double dt) {
+    const Matrix3<double>& F_old = now_.deformation_gradient;
+    return step((2 / dt) * (F - F_old) * (F + F_old).inverse(), dt);
+  }
+
+  /// Follows the path from now on and gives the record of every step, the present one first.
+  std::vector<Record<M>> run(const Path& path) {
+    std::vector<Record<M>> history{now_};
+    run(path, [&](const Record<M>& record) { history.push_back(record); });
+    return history;
+  }
+
+  /// Follows the path and calls observe(record) after each step.
+  template <class Observer>
+  void run(const Path& path, Observer&& observe) {
+    for (const Segment& segment : path.segments) {
+      if (!(segment.duration > 0) || segment.steps == 0)
+        throw Error(detail::joined({"A segment of a path has the duration ", detail::text(segment.duration), " and ",
+                                    std::to_string(segment.steps), " steps: give more than 0 of both."}));
+      const SymmetricTensor<double> initial_stress = now_.stress;
+      const double dt = segment.duration / static_cast<double>(segment.steps);
+      SymmetricTensor<double> D = symmetric_part(segment.velocity_gradient);
+      for (std::size_t i = 1; i <= segment.steps; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(segment.steps);
+        PrescribedStress target = segment.stress;
+        for (std::size_t c = 0; c < 6; ++c)
+          if (auto& value = target.*prescribed[c])
+            value = initial_stress.*component[c] + part * (*value - initial_stress.*component[c]);
+        advance(D, axial_vector(segment.velocity_gradient), dt, target);
+        D = now_.rate_of_deformation;
+        observe(now_);
+      }
+    }
+  }
+
+ private:
+  using Tensor = SymmetricTensor<double>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+  static constexpr std::array component{&Tensor::xx, &Tensor::yy, &Tensor::zz, &Tensor::xy, &Tensor::yz, &Tensor::zx};
+  static constexpr std::array prescribed{&PrescribedStress::xx, &PrescribedStress::yy, &PrescribedStress::zz,
+                                         &PrescribedStress::xy, &PrescribedStress::yz, &PrescribedStress::zx};
+  static constexpr std::array name{"xx", "yy", "zz", "xy", "yz", "zx"};
+
+  /// Where a step with the rate of deformation D and the axial vector w of the spin leads.
+  Record<M> answer(const Tensor& D, const Vector3<double>& w, double dt) const {
+    Record<M> next = now_;
+    next.time += dt;
+    next.rate_of_deformation = D;
+    Matrix3<double> W;
+    W << 0, -w(2), w(1), w(2), 0, -w(0), -w(1), w(0), 0;
+    const Matrix3<double> h = 0.5 * dt * (D.matrix() + W), I = Matrix3<double>::Identity();
+    next.deformation_gradient = (I - h).inverse() * (I + h) * now_.deformation_gradient;
+    const double J_old = now_.relative_volume(), J = next.relative_volume();
+
+    const auto turn = rotation_.turn(Vector3<double>(dt * w));
+    turn_tensors(turn, next.state);
+    const Tensor before = turn(now_.stress);
+    const Tensor D_end = rotation_.turn(Vector3<double>(0.5 * dt * w))(D);  // half the spin is still to come
+    next.stress = material_.stress(next.state, {D_end, J}, dt);
+    next.work += 0.5 * dt * double_dot(J_old * before + J * next.stress, D_end);
+    return next;
+  }
+
+  const Record<M>& advance(const Tensor& D, const Vector3<double>& w, double dt, const PrescribedStress& target) {
+    Record<M> next = answer(D, w, dt);
+    for (const auto c : prescribed)
+      if (target.*c) {
+        next = reach(target, std::move(next), w, dt);
+        break;
+      }
+    if (!(next.relative_volume() > 0))
+      throw Error(detail::joined({"Material point at t = ", detail::text(next.time), ": the relative volume becomes ",
+                                  detail::text(next.relative_volume()), "; take smaller steps."}));
+    return now_ = std::move(next);
+  }
+
+  /// Newton's method for the rates of the components with a prescribed stress, from the guess `next`. It counts strain
+  /// increments, and stresses over the wave modulus. The tangent is a difference quotient, so that the law need not run
+  /// on dual numbers; where it is singular, as in the shear of a fluid, some rates stay as they are.
+  Record<M> reach(const PrescribedStress& target, Record<M> next, const Vector3<double>& w, double dt) const {
+    constexpr double rounding = std::numeric_limits<double>::epsilon(), tolerance = 64 * rounding;
+    const double difference = std::sqrt(rounding);  // balances the rounding of the volume and the curvature
+
+    double modulus = moduli().wave();
+    for (const auto c : prescribed) modulus = std::max(modulus, std::abs((target.*c).value_or(0.0)));
+    const auto residual = [&](const Record<M>& record) {
+      Vector6 r = Vector6::Zero();
+      for (std::size_t c = 0; c < 6; ++c)
+        if (const auto& value = target.*prescribed[c]; value && record.stress.*component[c] != *value)
+          r[static_cast<int>(c)] = (record.stress.*component[c] - *value) / modulus;
+      return r;
+    };
+    const auto changed = [&](const Record<M>& record, const Vector6& strain) {
+      Tensor D = record.rate_of_deformation;
+      for (std::size_t c = 0; c < 6; ++c)
+        if (target.*prescribed[c]) D.*component[c] += strain[static_cast<int>(c)] / dt;
+      return answer(D, w, dt);
+    };
+
+    Vector6 r = residual(next);
+    for (int i = 0; i < 50 && !(r.norm() <= tolerance); ++i) {
+      Matrix6 tangent;
+      for (int c = 0; c < 6; ++c)
+        tangent.col(c) = (residual(changed(next, difference * Vector6::Unit(c))) - r) / difference;
+      Eigen::FullPivLU<Matrix6> lu(tangent);
+      lu.setThreshold(100 * difference);
+      Vector6 strain = lu.solve(-r);
+      strain *= std::min(1.0, 0.5 / strain.lpNorm<Eigen::Infinity>());
+
+      Record<M> trial = changed(next, strain);
+      for (int halving = 0; halving < 20 && !(residual(trial).norm() < r.norm()); ++halving)
+        trial = changed(next, strain *= 0.5);
+      next = std::move(trial);
+      r = residual(next);
+    }
+    if (!(r.norm() <= tolerance)) refuse(target, next, r);
+    return next;
+  }
+
+  [[noreturn]] void refuse(const PrescribedStress& target, const Record<M>& nearest, const Vector6& r) const {
+    int worst = 0;
+    r.cwiseAbs().maxCoeff(&worst);
+    const auto c = static_cast<std::size_t>(worst);
+    throw Error(detail::joined({"Material point at t = ", detail::text(nearest.time), ": the prescribed stress ",
+                                name[c], " = ", detail::text((target.*prescribed[c]).value_or(0.0)),
+                                " is beyond the material, which gives ", detail::text(nearest.stress.*component[c]),
+                                "; lower it or prescribe the strain instead."}));
+  }
+
+  M material_;
+  R rotation_;
+  Record<M> now_;
+};
+
+template <class M>
+MaterialPoint(M) -> MaterialPoint<M>;
+template <class M, class R>
+MaterialPoint(M, R) -> MaterialPoint<M, R>;
+
+/// The value f(record) of every record: what a chart asks for.
+template <class M, class F>
+std::vector<double> values(const std::vector<Record<M>>& history, F f) {
+  std::vector<double> all;
+  all.reserve(history.size());
+  for (const Record<M>& record : history) all.push_back(f(record));
+  return all;
+}
+
+/// Writes the records as CSV: time, logarithmic strain, Cauchy stress, its von Mises equivalent, relative volume, work
+/// per reference volume, and the numbers that the material remembers under names known here.
+template <class M>
+void write(const std::string& path, const std::vector<Record<M>>& history) {
+  using State = typename M::template State<double>;
+  constexpr bool energy = requires(State s) { s.internal_energy; };
+  constexpr bool plastic = requires(State s) { s.equivalent_plastic_strain; };
+  constexpr bool thermal = requires(State s) { s.temperature_rise; };
+  constexpr bool failing = requires(State s) { s.intact; };
+
+  std::vector<Column> columns{{"time"}};
+  for (const char* quantity : {"strain", "stress"})
+    for (const char* component : {"xx", "yy", "zz", "xy", "yz", "zx"})
+      columns.push_back({detail::joined({quantity, " ", component})});
+  for (const char* quantity : {"equivalent stress", "relative volume", "work"}) columns.push_back({quantity});
+  if (energy) columns.push_back({"internal energy"});
+  if (plastic) columns.push_back({"equivalent plastic strain"});
+  if (thermal) columns.push_back({"temperature rise"});
+  if (failing) columns.push_back({"intact"});
+
+  History file(path, columns);
+  for (const Record<M>& r : history) {
+    const SymmetricTensor<double> e = r.strain(), &s = r.stress;
+    std::vector<double> row{r.time, e.xx, e.yy, e.zz, e.xy, e.yz, e.zx, s.xx, s.yy, s.zz, s.xy, s.yz, s.zx};
+    row.insert(row.end(), {equivalent_stress(deviator(s)), r.relative_volume(), r.work});
+    if constexpr (energy) row.push_back(r.state.internal_energy);
+    if constexpr (plastic) row.push_back(r.state.equivalent_plastic_strain);
+    if constexpr (thermal) row.push_back(r.state.temperature_rise);
+    if constexpr (failing) row.push_back(r.state.intact);
+    file.row(row);
+  }
+}
+
+}  // namespace strike

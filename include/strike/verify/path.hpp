@@ -1,0 +1,108 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/tensor/tensor.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// The components of the Cauchy stress that are prescribed; the others answer to the motion.
+struct PrescribedStress {
+  std::optional<double> xx = {}, yy = {}, zz = {}, xy = {}, yz = {}, zx = {};
+};
+
+/// A part of a path in equal steps. The motion follows the velocity gradient; where a stress is prescribed, it runs
+/// linearly from what it is to that value at the end, and the rate of deformation of that component follows from it.
+/// The spin is always that of the velocity gradient.
+struct Segment {
+  double duration;  ///< [time]
+  std::size_t steps = 100;
+  Matrix3<double> velocity_gradient = Matrix3<double>::Zero();  ///< L [1/time], in the middle of each step
+  PrescribedStress stress = {};
+};
+
+/// What a material point goes through, one segment after the other: `uniaxial_stress({.strain = .1}) + hold(1)`.
+struct Path {
+  std::vector<Segment> segments;
+
+  friend Path operator+(Path a, const Path& b) {
+    a.segments.insert(a.segments.end(), b.segments.begin(), b.segments.end());
+    return a;
+  }
+};
+
+/// A strain reached at a constant rate.
+struct Ramp {
+  double strain;    ///< logarithmic; of a shear gamma = tan of its angle; negative: the other way
+  double rate = 1;  ///< d strain/dt without its sign [1/time]
+  std::size_t steps = 100;
+};
+
+namespace detail {
+
+inline Path ramp(const Ramp& ramp, int row, int column, const PrescribedStress& stress = {}) {
+  if (!(ramp.rate > 0) || ramp.strain == 0)
+    throw Error(joined({"A ramp to the strain ", text(ramp.strain), " at the rate ", text(ramp.rate),
+                        " has no duration: give a strain other than 0 and a rate above 0."}));
+  Segment segment{.duration = std::abs(ramp.strain) / ramp.rate, .steps = ramp.steps, .stress = stress};
+  segment.velocity_gradient(row, column) = std::copysign(ramp.rate, ramp.strain);
+  return {{segment}};
+}
+
+}  // namespace detail
+
+/// Strain along x alone.
+inline Path uniaxial_strain(const Ramp& ramp) { return detail::ramp(ramp, 0, 0); }
+
+/// Strain along x under no other stress than that along x: the tension test.
+inline Path uniaxial_stress(const Ramp& ramp) { return detail::ramp(ramp, 0, 0, {.yy = 0.0, .zz = 0.0}); }
+
+/// Shear of the planes y = const along x: F = I + gamma x (x) y.
+inline Path simple_shear(const Ramp& ramp) { return detail::ramp(ramp, 0, 1); }
+
+/// Change of volume without change of shape; the strain is that of the volume, ln J.
+inline Path hydrostatic(const Ramp& ramp) {
+  Path path = detail::ramp(ramp, 0, 0);
+  Matrix3<double>& L = path.segments.front().velocity_gradient;
+  L = Matrix3<double>::Identity() * (L(0, 0) / 3);
+  return path;
+}
+
+/// Nothing moves: relaxation.
+inline Path hold(double duration, std::size_t steps = 100) { return {{Segment{.duration = duration, .steps = steps}}}; }
+
+/// The motion of the path run back, under the same prescribed stresses: unloading.
+inline Path back(const Path& path) {
+  Path reversed{{path.segments.rbegin(), path.segments.rend()}};
+  for (Segment& segment : reversed.segments) segment.velocity_gradient *= -1;
+  return reversed;
+}
+
+/// There and back, then as far to the other side and back, `cycles` times.
+inline Path cyclic(const Path& quarter, int cycles = 1) {
+  const Path reversed = back(quarter), cycle = quarter + reversed + reversed + quarter;
+  Path path;
+  for (int i = 0; i < cycles; ++i) path = path + cycle;
+  return path;
+}
+
+/// The same loading at one rate after the other, over the ramp's strain at each: `rate_jumps(uniaxial_stress, {.strain
+/// = .05}, {1e-3, 1e3, 1e-3})`.
+template <class Loading>
+Path rate_jumps(Loading loading, Ramp each, std::initializer_list<double> rates) {
+  Path path;
+  for (const double rate : rates) {
+    each.rate = rate;
+    path = path + loading(each);
+  }
+  return path;
+}
+
+}  // namespace strike

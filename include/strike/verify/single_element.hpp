@@ -1,0 +1,230 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include <strike/element/element.hpp>
+#include <strike/error.hpp>
+
+namespace strike {
+
+/// One element after a step [consistent units]. Energies are those since the begin; that of the prescribed motion is
+/// the sum of the other three but for the error of the step.
+template <class E>
+struct ElementRecord {
+  double time = 0;
+  typename E::Kinematics::template Stress<double> stress{};  ///< that the material remembers, the mean over its points
+  double volume = 0;
+  double stable_step = 0;            ///< that the element claims
+  Nodal<double, E::nodes> x, force;  ///< force: on the element's nodes, so that they move as told
+  double internal = 0;               ///< work of the stresses
+  double hourglass = 0;              ///< work against the hourglass control
+  double bulk_viscosity = 0;         ///< dissipated by the bulk viscosity
+  double external = 0;  ///< work of the prescribed motion, by the mean of the forces before and after a step
+};
+
+/// How the forces of an element answer to small motions of its 3n coordinates, node after node: f = K x + C v, with the
+/// mass m at each node.
+struct ElementVibration {
+  Eigen::MatrixXd stiffness, damping;
+  double mass = 0;
+
+  /// Angular frequencies without damping, ascending.
+  Eigen::VectorXd frequencies() const {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness / mass, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .cwiseMax(0)
+        .cwiseSqrt();
+  }
+
+  /// The largest stable step of central differences whose damping lags half a step,
+  ///   m (v+ - v)/dt = -K x - C v,   x+ = x + dt v+.
+  /// A motion phi l^n with k = dt^2 phi.K phi/m and c = dt phi.C phi/m has l^2 + (k + c - 2) l + 1 - c = 0, which is
+  /// stable for k/4 + c/2 <= 1. The step at which the first phi gets there is found from below by Newton's method: phi
+  /// is the highest mode of K/4 + C/(2 dt) at the step of the phi before.
+  double critical_step() const {
+    double rate = 0;
+    for (int i = 0; i < 30; ++i) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.25 * stiffness + 0.5 * rate * damping);
+      const auto phi = modes.eigenvectors().col(stiffness.rows() - 1);
+      const double k = phi.dot(stiffness * phi) / mass, c = phi.dot(damping * phi) / mass;
+      const double before = std::exchange(rate, 0.25 * c + 0.5 * std::sqrt(0.25 * c * c + k));
+      if (rate <= before * (1 + 1e-14)) break;
+    }
+    return 1 / rate;
+  }
+
+  /// The largest |l| of the same scheme by its amplification matrix: above 1 the step dt is unstable.
+  double spectral_radius(double dt) const {
+    const Eigen::Index n = stiffness.rows();
+    const auto one = Eigen::MatrixXd::Identity(n, n);
+    Eigen::MatrixXd amplification(2 * n, 2 * n);  // of (x, dt v)
+    const Eigen::MatrixXd k = dt * dt / mass * stiffness, c = dt / mass * damping;
+    amplification << one - k, one - c, -k, one - c;
+    return amplification.eigenvalues().cwiseAbs().maxCoeff();
+  }
+};
+
+/// One element whose nodes move as told: for verifying an element, or a material in an element.
+///   SingleElement cube{Hex8{}, copper, unit_cube()};
+///   const auto history = cube.drive(motion::homogeneous(L), dt, 100);
+///   history.back().stress.xy
+template <class E, class M>
+class SingleElement {
+ public:
+  static constexpr int n = E::nodes;
+  using Vectors = Nodal<double, n>;  ///< a column per node
+  using Record = ElementRecord<E>;
+
+  /// At rest at the positions X. Errors: no positive mass.
+  SingleElement(E element, M material, const Vectors& X)
+      : element_(std::move(element)), material_(std::move(material)) {
+    record_.x = X;
+    mass_ = element_.begin(state_, material_, X);
+    if (!(mass_ > 0))
+      throw Error("strike: the single element has no positive mass; its corners are in the wrong order or coincide.");
+    const auto response = element_.advance(state_, material_, X, Vectors::Zero().eval(), 0.0);
+    record_.stress = mean_stress();
+    record_.force = response.force;
+    record_.volume = response.volume;
+    record_.stable_step = response.stable_step;
+  }
+
+  /// Moves the nodes at the velocities v for the time dt.
+  const Record& step(const Vectors& v, double dt) {
+    record_.time += dt;
+    record_.x += dt * v;
+    const auto response = element_.advance(state_, material_, record_.x, v, dt);
+    record_.stress = mean_stress();
+    record_.volume = response.volume;
+    record_.stable_step = response.stable_step;
+    record_.internal += response.internal_work;
+    record_.hourglass += response.hourglass_work;
+    record_.bulk_viscosity += response.bulk_viscosity_work;
+    record_.external += 0.5 * dt * (record_.force + response.force).cwiseProduct(v).sum();
+    record_.force = response.force;
+    return record_;
+  }
+
+  /// Takes steps with the nodes at the velocities `motion(x, t)`, a column per node, of the middle of each step: so a
+  /// rotation is one. Returns where it began and what stood after each step.
+  template <class Motion>
+  std::vector<Record> drive(const Motion& motion, double dt, std::size_t steps) {
+    std::vector<Record> history{record_};
+    for (std::size_t i = 0; i < steps; ++i) {
+      Vectors v = motion(record_.x, record_.time + 0.5 * dt);
+      for (int k = 0; k < 100; ++k) {
+        const Vectors before = v;
+        v = motion(Vectors(record_.x + 0.5 * dt * v), record_.time + 0.5 * dt);
+        if ((v - before).norm() <= 1e-16 * v.norm()) break;
+      }
+      history.push_back(step(v, dt));
+    }
+    return history;
+  }
+
+  /// Its free vibrations about where it stands, by central differences of its forces over steps dt and 2 dt with dt =
+  /// the stable step. What acts in compression only shows if the nodes move: give their `velocities`.
+  ElementVibration vibration(const Vectors& velocities = Vectors::Zero()) const {
+    const double dt = record_.stable_step, h = 1e-5 * shortest_distance() / dt;
+    const Eigen::MatrixXd one = slope(velocities, h, dt), two = slope(velocities, 0.5 * h, 2 * dt);  // dt K + C
+    const auto symmetric = [](const Eigen::MatrixXd& A) -> Eigen::MatrixXd { return 0.5 * (A + A.transpose()); };
+    return {.stiffness = symmetric((two - one) / dt), .damping = symmetric(2 * one - two), .mass = mass_};
+  }
+
+  const Record& now() const { return record_; }
+  const auto& state() const { return state_; }
+  double nodal_mass() const { return mass_; }
+
+ private:
+  using State = typename E::template State<M, double>;
+
+  auto mean_stress() const {
+    typename E::Kinematics::template Stress<double> sum{};
+    double points = 0;
+    state_.each_point([&](const auto& state) { sum += material_.stress(state), points += 1; });
+    return (1 / points) * sum;
+  }
+
+  Vectors force(const Vectors& v, double dt) const {
+    State scratch = state_;
+    return element_.advance(scratch, material_, Vectors(record_.x + dt * v), v, dt).force;
+  }
+
+  /// df/dv over a step dt.
+  Eigen::MatrixXd slope(const Vectors& velocities, double h, double dt) const {
+    Eigen::MatrixXd A(3 * n, 3 * n);
+    for (int j = 0; j < 3 * n; ++j) {
+      Vectors up = velocities, down = velocities;
+      up(j) += h, down(j) -= h;
+      const Vectors change = (force(up, dt) - force(down, dt)) / (2 * h);
+      A.col(j) = change.reshaped();
+    }
+    return A;
+  }
+
+  double shortest_distance() const {
+    double shortest = std::numeric_limits<double>::max();
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < i; ++j) shortest = std::min(shortest, (record_.x.col(i) - record_.x.col(j)).norm());
+    return shortest;
+  }
+
+  E element_;
+  M material_;
+  State state_{};
+  double mass_ = 0;
+  Record record_;
+};
+
+/// Velocities of the nodes of a SingleElement: functions of their positions, a column per node, and the time.
+namespace motion {
+
+/// v = L x.
+inline auto homogeneous(const Eigen::Matrix3d& L) {
+  return [L](const auto& x, double) { return (L * x).eval(); };
+}
+
+/// v = w cross x.
+inline auto rotation(const Eigen::Vector3d& w) {
+  Eigen::Matrix3d W;
+  W << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return homogeneous(W);
+}
+
+/// v = f(x), any function of a position.
+template <class F>
+auto field(F f) {
+  return [f](const auto& x, double) {
+    auto v = x.eval();
+    for (Eigen::Index i = 0; i < x.cols(); ++i) v.col(i) = f(Eigen::Vector3d(x.col(i)));
+    return v;
+  };
+}
+
+/// A mode of the hexahedron's corners: +-a by the sign of eta zeta (k = 0), zeta xi (1), xi eta (2) or xi eta zeta (3).
+inline auto hourglass(int k, const Eigen::Vector3d& a) {
+  Eigen::Matrix<double, 4, 8> signs;
+  signs << 1, 1, -1, -1, -1, -1, 1, 1,  //
+      1, -1, -1, 1, -1, 1, 1, -1,       //
+      1, -1, 1, -1, 1, -1, 1, -1,       //
+      -1, 1, -1, 1, 1, -1, 1, -1;
+  return [v = (a * signs.row(k)).eval()](const auto&, double) { return v; };
+}
+
+}  // namespace motion
+
+/// Corners of the cube [0, 1]^3.
+inline Nodal<double, 8> unit_cube() {
+  Nodal<double, 8> x;
+  x << 0, 1, 1, 0, 0, 1, 1, 0,  //
+      0, 0, 1, 1, 0, 0, 1, 1,   //
+      0, 0, 0, 0, 1, 1, 1, 1;
+  return x;
+}
+
+}  // namespace strike
