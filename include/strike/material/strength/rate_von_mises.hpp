@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -31,16 +33,16 @@ struct RateVonMises {
     if (!(dt > 0) || rate_factor == 0 || !any(dl0 > 0.0)) return dl0;
     const double a = rate_exponent < 1 ? 1 / rate_exponent : 1, b = rate_exponent < 1 ? 1 : rate_exponent;
     const T growth = rate_factor * pow(dl0 / dt, T(rate_exponent));
+    const T rounding = T(16.0 * std::numeric_limits<RealOf<T>>::epsilon()) * q;
     T z = T(1.0), za = T(1.0), zb = T(1.0);
     for (int i = 0; i < 50; ++i) {
       const T sigma = quasi_static + hardening_modulus * dl0 * za;
       const T f = q - G3 * dl0 * za - sigma * (1.0 + growth * zb);
       const T slope = (G3 + hardening_modulus * (1.0 + growth * zb)) * dl0 * a * za + sigma * growth * b * zb;  // -z f'
-      const T change = select(dl0 > 0.0, f / slope, T(0.0));
-      z = max(T(0.0), z * (1.0 + change));
+      z = select(dl0 > 0.0, max(T(0.0), z * (1.0 + f / slope)), T(0.0));
       za = a == 1 ? z : pow(z, T(a));
       zb = b == 1 ? z : pow(z, T(b));
-      if (!any(abs(change) > 1e-15)) break;
+      if (!any(dl0 > 0.0 && abs(f) > rounding)) break;
     }
     return dl0 * za;
   }

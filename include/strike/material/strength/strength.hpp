@@ -1,5 +1,6 @@
 #pragma once
 #include <concepts>
+#include <limits>
 
 #include <strike/scalar/dual.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -80,18 +81,21 @@ constexpr auto strength_state() {
     return NoPlasticity{};
 }
 
-/// The root x in [0, 1] of a falling f, by Newton steps that a bracket keeps safe; `active` marks the lanes that count.
-/// f takes and gives Dual<T, 1>; `tolerance` is in the units of f.
+/// The root of a falling f in (0, 1) from the guess x, by steps that a bracket keeps safe. They are Newton's in ln x,
+/// for power laws and logarithms take the root over many decades. `active` marks the lanes that count; f takes and
+/// gives Dual<T, 1>; `tolerance` is in the units of f. The last step always is Newton's, so that a dual root has
+/// derivatives.
 template <class T, class F, class M>
-T falling_root(F f, const M& active, const T& tolerance) {
-  T lower = T(0.0), upper = T(1.0), x = T(1.0);
+T falling_root(F f, T x, const M& active, const T& tolerance) {
+  T lower = T(0.0), upper = T(1.0);
   for (int i = 0; i < 100; ++i) {
     const Dual<T, 1> y = f(Dual<T, 1>::variable(x, 0));
-    if (!any(active && abs(y.value()) > tolerance)) break;
+    const auto open = active && abs(y.value()) > tolerance;
     lower = select(y.value() >= 0.0, x, lower);
     upper = select(y.value() >= 0.0, upper, x);
-    const T newton = x - y.value() / y.derivative(0);
-    x = select(newton > lower && newton < upper, newton, 0.5 * (lower + upper));
+    const T newton = x * exp(T(-y.value() / (x * y.derivative(0))));
+    x = select(!open || (newton > lower && newton < upper), newton, 0.5 * (lower + upper));
+    if (!any(open)) break;
   }
   return x;
 }
@@ -127,7 +131,8 @@ T plastic_increment(const S& law, const StrengthState<S, T>& state, const T& q, 
     const T most = q / G3;  // all of the trial stress
     using D = Dual<T, 1>;
     const auto residual = [&](const D& x) -> D { return q - q * x - flow_stress(e + most * x, D(most / dt * x)); };
-    return select(yields, most * detail::falling_root<T>(residual, yields, 1e-13 * q), T(0.0));
+    const T rounding = T(32.0 * std::numeric_limits<RealOf<T>>::epsilon()) * q;
+    return select(yields, most * detail::falling_root<T>(residual, excess / q, yields, rounding), T(0.0));
   }
 }
 
