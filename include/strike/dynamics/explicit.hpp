@@ -22,11 +22,13 @@ struct ExplicitOptions {
 };
 
 /// Chooses the number in the formulas of a run: `Explicit run{scene, options, in<Pack<float>>}`.
-template <Scalar T>
+template <class T>
 struct In {
-  using type = T;
+  static constexpr bool is_scalar = Scalar<T>;
+  static_assert(is_scalar,
+                "strike: in<T> names the number in the formulas: double, Pack<double, N>, Pack<float, N> or a Dual.");
 };
-template <Scalar T>
+template <class T>
 inline constexpr In<T> in{};
 
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
@@ -247,6 +249,15 @@ class Explicit {
   Step step_;
   StableStep stable_;
   double time_ = 0, time_error_ = 0, end_ = std::numeric_limits<double>::infinity();
+};
+
+/// A scene that the compiler has already complained about gets no second complaint.
+template <class T, class... Things>
+requires(!Scene<Things...>::sound || !Scalar<T>) class Explicit<T, Things...> {
+ public:
+  explicit Explicit(Scene<Things...>, ExplicitOptions = {}, In<T> = {}) {}
+  void step() {}
+  void until(auto&&...) {}
 };
 
 template <class... Things>

@@ -15,15 +15,81 @@
 
 namespace strike {
 
+namespace detail {
+
+template <class E>
+concept HasNodesAndKinematics = requires {
+  typename E::Kinematics;
+  E::nodes;
+};
+template <class M>
+concept HasKinematics = requires {
+  typename M::Kinematics;
+};
+
+/// What has complained about itself already says so by `sound`.
+template <class E>
+constexpr bool is_reported() {
+  if constexpr (requires { E::sound; })
+    return !E::sound;
+  else
+    return false;
+}
+
+/// What is wrong with a part, asked in this order.
+enum class Flaw { none, reported, element, material, pair, corners, material_members, element_members };
+
+template <class E, class M, std::size_t n>
+constexpr Flaw flaw() {
+  if constexpr (!HasNodesAndKinematics<E>)
+    return Flaw::element;
+  else if constexpr (is_reported<E>())
+    return Flaw::reported;
+  else if constexpr (!HasKinematics<M> || HasNodesAndKinematics<M>)
+    return Flaw::material;
+  else if constexpr (is_reported<M>())
+    return Flaw::reported;
+  else if constexpr (!std::same_as<typename E::Kinematics, typename M::Kinematics>)
+    return Flaw::pair;
+  else if constexpr (static_cast<std::size_t>(E::nodes) != n)
+    return Flaw::corners;
+  else if constexpr (!Material<M>)
+    return Flaw::material_members;
+  else if constexpr (!Element<E, M>)
+    return Flaw::element_members;
+  else
+    return Flaw::none;
+}
+
+}  // namespace detail
+
 /// The elements of one kind and one material in a scene.
-template <class E, class M>
+template <class E, class M, std::size_t n = 8>
 struct Part {
+  static constexpr detail::Flaw flaw = detail::flaw<E, M, n>();
+  static_assert(flaw != detail::Flaw::element, "strike: the first piece of a Part is its element, such as Hex8{}.");
+  static_assert(flaw != detail::Flaw::material,
+                "strike: the second piece of a Part is its material, such as Solid{...} or Elastic{...}.");
+  static_assert(
+      flaw != detail::Flaw::pair,
+      "strike: this element and this material do not fit: their Kinematics differ, so one measures what the other "
+      "does not know.");
+  static_assert(flaw != detail::Flaw::corners,
+                "strike: these cells do not have as many nodes as the element of the Part.");
+  static_assert(flaw != detail::Flaw::material_members,
+                "strike: this material lacks one of State<T>, density(), stress(state, rate, dt), stress(state) and "
+                "moduli(state, rate), or it returns another type; see strike/material/material.hpp.");
+  static_assert(
+      flaw != detail::Flaw::element_members,
+      "strike: this element lacks one of State<M, T>, begin(state, material, x) and advance(state, material, x, v, "
+      "dt), or it returns another type; see strike/element/element.hpp.");
+
   E element;
   M material;
-  Cells<static_cast<std::size_t>(E::nodes)> cells;
+  Cells<n> cells;
 };
 template <class E, class M, std::size_t n>
-Part(E, M, std::vector<std::array<Index, n>>) -> Part<E, M>;
+Part(E, M, std::vector<std::array<Index, n>>) -> Part<E, M, n>;
 
 /// The least stable step of some elements and the element that has it.
 struct StableStep {
@@ -46,7 +112,7 @@ class RunningPart {
     State state;
   };
 
-  RunningPart(Part<E, M> part, Nodes<Real>& nodes, std::size_t number)
+  RunningPart(Part<E, M, n> part, Nodes<Real>& nodes, std::size_t number)
       : element_(std::move(part.element)),
         material_(std::move(part.material)),
         size_(part.cells.size()),

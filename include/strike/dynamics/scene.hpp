@@ -7,6 +7,30 @@
 
 namespace strike {
 
+namespace detail {
+
+template <class Thing>
+inline constexpr bool is_part = false;
+template <class E, class M, std::size_t n>
+inline constexpr bool is_part<Part<E, M, n>> = true;
+
+template <class Thing>
+concept HasAVerb = requires(Thing thing, Nodes<double> nodes) {
+  thing.begin(nodes);
+}
+|| requires(Thing thing, Nodes<double> nodes) { thing.push(nodes, 0.0); }
+|| requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.constrain(nodes, step, ledger); };
+
+template <class Thing>
+constexpr bool is_sound() {
+  if constexpr (is_part<Thing>)
+    return Thing::flaw == Flaw::none;
+  else
+    return HasAVerb<Thing>;
+}
+
+}  // namespace detail
+
 /// What a scene holds: its nodes and the things that act on them, parts, loads and contacts in any order.
 ///
 /// A thing has some of these verbs, which a step calls in this order, and among things in the order of the scene:
@@ -16,6 +40,14 @@ namespace strike {
 /// - `constrain(nodes, step, ledger)`: corrects the velocities of the step to come.
 template <class... Things>
 struct Scene {
+  static_assert(
+      ((detail::is_part<Things> || detail::HasAVerb<Things>)&&...),
+      "strike: one of the things in this Scene is neither a Part nor has one of the verbs begin(nodes), push(nodes, "
+      "time) and constrain(nodes, step, ledger).");
+  static_assert((detail::is_part<Things> || ...), "strike: a Scene needs at least one Part.");
+  /// Whether the compiler has not complained about any of its things.
+  static constexpr bool sound = (detail::is_sound<Things>() && ...) && (detail::is_part<Things> || ...);
+
   std::vector<Eigen::Vector3d> nodes;
   std::tuple<Things...> things;
 
@@ -25,21 +57,16 @@ struct Scene {
 
 namespace detail {
 
-template <class Thing>
-inline constexpr bool is_part = false;
-template <class E, class M>
-inline constexpr bool is_part<Part<E, M>> = true;
-
 /// A thing of a scene at work: parts take their lanes, the rest stays as it is.
 template <class Thing, class T>
 struct Running {
   using type = Thing;
   static Thing start(Thing thing, Nodes<RealOf<T>>&, std::size_t&) { return thing; }
 };
-template <class E, class M, class T>
-struct Running<Part<E, M>, T> {
+template <class E, class M, std::size_t n, class T>
+struct Running<Part<E, M, n>, T> {
   using type = RunningPart<E, M, T>;
-  static type start(Part<E, M> part, Nodes<RealOf<T>>& nodes, std::size_t& number) {
+  static type start(Part<E, M, n> part, Nodes<RealOf<T>>& nodes, std::size_t& number) {
     return type(std::move(part), nodes, number++);
   }
 };

@@ -20,10 +20,10 @@ struct BulkViscosity {
   T pressure(const T& wave_modulus, const T& s) const {
     return wave_modulus * s * (quadratic * quadratic * s + linear);
   }
-  /// Fraction of critical damping in the highest mode.
+  /// dq/d|tr D| [stress time], the coefficient of viscosity that the stable step must know.
   template <class T>
-  T damping(const T& s) const {
-    return quadratic * quadratic * s + linear;
+  T coefficient(const T& wave_modulus, const T& crossing_time, const T& s) const {
+    return wave_modulus * crossing_time * (2.0 * quadratic * quadratic * s + linear);
   }
 };
 

@@ -13,9 +13,17 @@ namespace strike {
 /// written in its own modes. Policies: hourglass control, rotation of the stress, bulk viscosity, and where in the step
 /// the motion is measured.
 ///   Hex8{}   Hex8{StiffnessHourglass{.coefficient = 0.01}}   Hex8{ViscousHourglass{}, Jaumann{}, NoBulkViscosity{}}
-template <class Hourglass = ViscousHourglass, Rotation Spin = HughesWinget, class Viscosity = BulkViscosity,
+template <class Hourglass = ViscousHourglass, class Spin = HughesWinget, class Viscosity = BulkViscosity,
           class Instant = MidStep>
 struct Hex8 {
+  static constexpr bool has_hourglass = HourglassControl<Hourglass>, has_rotation = Rotation<Spin>,
+                        sound = has_hourglass && has_rotation;
+  static_assert(has_hourglass,
+                "strike: the first policy of Hex8 is its hourglass control: ViscousHourglass, StiffnessHourglass or "
+                "NoHourglass.");
+  static_assert(!has_hourglass || has_rotation,
+                "strike: the second policy of Hex8 is the rotation of its tensors: HughesWinget or Jaumann.");
+
   [[no_unique_address]] Hourglass hourglass{};
   [[no_unique_address]] Spin rotation{};
   [[no_unique_address]] Viscosity bulk_viscosity{};
@@ -66,18 +74,15 @@ struct Hex8 {
     turn_tensors(turn, state.hourglass);
 
     const SymmetricTensor<T> S = T(per_volume * per_volume) * g.squared();
-    const Stability<T> stability(S, specific_volume);
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), specific_volume};
     Response<T, 8> response;
     response.volume = V;
 
-    const auto compression_per_crossing = [&](const Moduli<T>& moduli) -> T {
-      return max(T(0.0), -theta) * stability.crossing_time(moduli.wave());
-    };
     T q = T(0.0);
     response.bulk_viscosity_work = T(0.0);
     if constexpr (viscous) {
-      const Moduli<T> moduli = material.moduli(state.material, rate);
-      q = bulk_viscosity.pressure(moduli.wave(), compression_per_crossing(moduli));
+      const T wave = material.moduli(state.material, rate).wave();
+      q = bulk_viscosity.pressure(wave, max(T(0.0), -theta) * stability.crossing_time(wave));
       response.bulk_viscosity_work = -0.5 * (state.viscosity.pressure + q) * dV;
       state.viscosity.pressure = q;
       if constexpr (requires { state.material.internal_energy; })
@@ -90,12 +95,13 @@ struct Hex8 {
     sigma += SymmetricTensor<T>::isotropic(-q);
 
     const Moduli<T> moduli = material.moduli(state.material, rate);
-    const T frequency = stability.frequency(moduli);
-    T damping = T(0.0);
-    if constexpr (viscous) damping += bulk_viscosity.damping(compression_per_crossing(moduli));
-    if constexpr (requires { material.viscosity(); })
-      damping += 0.5 * stability.decay(material.viscosity()) / frequency;
-    T steps_per_time = critical_rate(frequency, damping);
+    T zeta = T(0.0);
+    if constexpr (viscous) {
+      const T crossing_time = stability.crossing_time(moduli.wave());
+      zeta = bulk_viscosity.coefficient(moduli.wave(), crossing_time, max(T(0.0), -theta) * crossing_time);
+    }
+    Vibration<T> vibration = stability.vibration(moduli, zeta);
+    if constexpr (requires { material.viscosity(); }) vibration.decay += stability.decay(material.viscosity());
 
     Hex8Modes<T> F;
     Matrix3<T> P = sigma.matrix();
@@ -112,17 +118,12 @@ struct Hex8 {
         P.col(j) -= per_volume * (Q[0] * m.b1(j) + Q[1] * m.b2(j) + Q[2] * m.b3(j) + Q[3] * m.d(j));
       F.b1 = Q[0], F.b2 = Q[1], F.b3 = Q[2], F.d = Q[3];
 
-      // gamma_k = Lambda_k - B.m_k/V, so that |gamma_k|^2 = 8 - m_k.g_k/(4 V) + m_k.S m_k
-      const auto excess = [&](const Vector3<T>& m_k, const Vector3<T>& g_k) -> T {
-        return quadratic_form(S, m_k) - 0.25 * per_volume * m_k.dot(g_k);
-      };
-      const T gamma_squared =
-          8.0 + max(max(excess(m.b1, g.b1), excess(m.b2, g.b2)), max(excess(m.b3, g.b3), quadratic_form(S, m.d)));
-      steps_per_time = max(steps_per_time, hourglass.critical_rate(element, gamma_squared));
+      response.stable_step =
+          1.0 / critical_rate(vibration, hourglass.critical_rate(element), overlap(S, m, g, per_volume));
     } else {
       F.b1 = F.b2 = F.b3 = F.d = Vector3<T>::Zero();
+      response.stable_step = 1.0 / vibration.critical_rate();
     }
-    response.stable_step = 1.0 / steps_per_time;
 
     P *= T(1.0 / 64.0);
     const auto force = [&](const Vector3<T>& g_k) -> Vector3<T> {
@@ -137,6 +138,19 @@ struct Hex8 {
   }
 
  private:
+  /// |P gamma|^2/8 of the hourglass vectors gamma_k = Lambda_k - b.m_k, where P projects onto the gradient b = B/V:
+  /// from X_k = b.gamma_k = g_k/(8 V) - S m_k it is the norm of S^-1 X X^T, which is symmetric but for a change of
+  /// basis.
+  template <class T>
+  static T overlap(const SymmetricTensor<T>& S, const Hex8Modes<T>& m, const Hex8Gradient<T>& g, const T& per_volume) {
+    SymmetricTensor<T> XX{};
+    const auto add = [&](const Vector3<T>& X) { XX += outer_square(X); };
+    const T w = 0.125 * per_volume;
+    add(w * g.b1 - S * m.b1), add(w * g.b2 - S * m.b2), add(w * g.b3 - S * m.b3), add(S * m.d);
+    const Matrix3<T> A = inverse(S).matrix().lazyProduct(XX.matrix());
+    return 0.125 * sqrt(max(T(0.0), A.cwiseProduct(A.transpose()).sum()));
+  }
+
   static constexpr bool viscous = !std::same_as<Viscosity, NoBulkViscosity>;
   static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <concepts>
 #include <tuple>
 
 #include <strike/element/hex8_modes.hpp>
@@ -25,6 +26,17 @@ struct NoHourglass {
   struct State {};
 };
 
+/// A resistance against the hourglass modes, with the work done against it and the step that it allows; or none.
+/// Laws: it does no work on linear fields (the rates vanish there) and creates no energy.
+template <class H>
+concept HourglassControl = std::same_as<H, NoHourglass> ||
+    requires(const H control, typename H::template State<double> state, const HourglassElement<double> e,
+             const HourglassModes<double> q) {
+  { control.resistance(state, e, q) } -> std::convertible_to<HourglassModes<double>>;
+  { control.work(e, q, q) } -> std::convertible_to<double>;
+  { control.critical_rate(e) } -> std::convertible_to<double>;
+};
+
 /// Resistance against the rate of the hourglass modes, a qdot with a = Q rho c V^(2/3)/4 (Flanagan and Belytschko 1981;
 /// LS-DYNA type 3).
 struct ViscousHourglass {
@@ -48,11 +60,10 @@ struct ViscousHourglass {
   T work(const HourglassElement<T>& e, const HourglassModes<T>& Q, const HourglassModes<T>& rates) const {
     return e.dt * (Q[0].dot(rates[0]) + Q[1].dot(rates[1]) + Q[2].dot(rates[2]) + Q[3].dot(rates[3]));
   }
-  /// One over the largest stable step, half the rate of decay a |gamma|^2/m with m = rho V/8; `gamma_squared` is the
-  /// largest |gamma_k|^2.
+  /// One over the largest step that this alone allows, half the rate of decay a |Lambda|^2/m = 64 a/(rho V).
   template <class T>
-  T critical_rate(const HourglassElement<T>& e, const T& gamma_squared) const {
-    return 4.0 * damping(e) * gamma_squared / (e.density * e.volume);
+  T critical_rate(const HourglassElement<T>& e) const {
+    return 32.0 * damping(e) / (e.density * e.volume);
   }
 };
 
@@ -86,10 +97,10 @@ struct StiffnessHourglass {
     for (std::size_t i = 0; i < 4; ++i) sum += (Q[i] - half * rates[i]).dot(rates[i]);
     return e.dt * sum;
   }
-  /// One over the largest stable step, half the frequency sqrt(k |gamma|^2/m).
+  /// One over the largest step that this alone allows, half the frequency sqrt(k |Lambda|^2/m).
   template <class T>
-  T critical_rate(const HourglassElement<T>& e, const T& gamma_squared) const {
-    return sqrt(2.0 * stiffness(e) * gamma_squared / (e.density * e.volume));
+  T critical_rate(const HourglassElement<T>& e) const {
+    return sqrt(16.0 * stiffness(e) / (e.density * e.volume));
   }
 };
 

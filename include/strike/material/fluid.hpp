@@ -14,8 +14,17 @@ struct Newtonian {
 
 /// A fluid: an equation of state, and if it is viscous a viscosity. It remembers its pressure, so it has nothing to
 /// turn.
-template <EquationOfState Eos, class Viscosity = Inviscid>
+template <class Eos, class Viscosity = Inviscid>
 struct Fluid {
+  static constexpr bool has_eos = EquationOfState<Eos>,
+                        has_viscosity = std::same_as<Viscosity, Inviscid> || std::same_as<Viscosity, Newtonian>,
+                        sound = has_eos && has_viscosity;
+  static_assert(
+      has_eos,
+      "strike: the first piece of a Fluid is its equation of state, with a density and A(mu), such as CubicEos.");
+  static_assert(!has_eos || has_viscosity,
+                "strike: the second piece of a Fluid is its viscosity, Inviscid or Newtonian.");
+
   Eos eos;
   [[no_unique_address]] Viscosity viscous{};
 

@@ -11,8 +11,20 @@ namespace strike {
 /// A solid: an equation of state for the pressure, a strength for the change of shape, and if it can fail, when.
 ///   Solid copper{LinearEos{.density = 8930, .bulk_modulus = 130e9},
 ///                VonMises{.shear_modulus = 43.3e9, .yield_stress = 400e6, .hardening_modulus = 100e6}};
-template <EquationOfState Eos, Strength S, class Failure = NoFailure>
+template <class Eos, class S, class Failure = NoFailure>
 struct Solid {
+  static constexpr bool has_eos = EquationOfState<Eos>, has_strength = Strength<S>,
+                        has_failure = FailureCriterion<Failure>, sound = has_eos && has_strength && has_failure;
+  static_assert(
+      has_eos,
+      "strike: the first piece of a Solid is its equation of state, with a density and A(mu), such as LinearEos.");
+  static_assert(!has_eos || has_strength,
+                "strike: the second piece of a Solid is its strength, with a shear_modulus and a flow_stress, such as "
+                "VonMises or ElasticStrength.");
+  static_assert(
+      !has_eos || !has_strength || has_failure,
+      "strike: the third piece of a Solid is its failure, such as UltimateStress, FailureStrain or NoFailure.");
+
   Eos eos;
   S strength;
   [[no_unique_address]] Failure failure{};
@@ -37,8 +49,7 @@ struct Solid {
 
   template <class T>
   SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {
-    const SymmetricTensor<T>& D = rate.rate_of_deformation;
-    const T& J = rate.relative_volume;
+    const auto& [D, J] = felt(state, rate);
     const SymmetricTensor<T> s_old = deviator(state.stress), d = T(dt) * deviator(D);
     const T p_old = (-1.0 / 3.0) * trace(state.stress);
     const T dv = volume_increment<T>(J, dt * trace(D));
@@ -49,7 +60,7 @@ struct Solid {
     state.stress = s - SymmetricTensor<T>::isotropic(p);
     if constexpr (requires { state.intact; }) {
       state.intact = select(failure.fails(equivalent_stress(s), state), T(0.0), state.intact);
-      state.stress = state.intact * state.stress;
+      state.stress = select(state.intact > 0.0, state.stress, SymmetricTensor<T>{});
     }
     return state.stress;
   }
@@ -62,12 +73,26 @@ struct Solid {
   template <class T>
   Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
     const T pressure = (-1.0 / 3.0) * trace(state.stress);
-    return {strike::bulk_modulus(eos, state, rate.relative_volume, pressure), T(strength.shear_modulus)};
+    return {strike::bulk_modulus<Eos, State<T>, T>(eos, state, felt(state, rate).relative_volume, pressure),
+            T(strength.shear_modulus)};
   }
 
   template <class T>
   requires requires(State<T> state) { state.intact; }
   T intact(const State<T>& state) const { return state.intact; }
+
+ private:
+  /// What has failed feels no motion, however wild.
+  template <class T>
+  static decltype(auto) felt(const State<T>& state, const SolidKinematics::Rate<T>& rate) {
+    if constexpr (requires { state.intact; }) {
+      const auto intact = state.intact > 0.0;
+      return SolidKinematics::Rate<T>{select(intact, rate.rate_of_deformation, SymmetricTensor<T>{}),
+                                      select(intact, rate.relative_volume, T(1.0))};
+    } else {
+      return (rate);
+    }
+  }
 };
 
 template <class Eos, class S>

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct BoxShape {
 /// Hexahedra that fill a box; x runs fastest, then y, then z, in nodes and cells alike.
 /// Errors: an edge that is not positive, no cells, grading that is not positive.
 inline Mesh box(const BoxShape& shape) {
-  if (!(shape.size.minCoeff() > 0) || !shape.size.allFinite())
+  if (!(shape.size.minCoeff() > 0) || !std::isfinite(shape.size.sum()))
     throw Error(detail::joined(
         {"A box of size ", detail::text(shape.size), " has no volume: give three positive edges in `.size`."}));
   for (std::size_t axis = 0; axis < 3; ++axis)

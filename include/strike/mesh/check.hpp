@@ -61,7 +61,7 @@ void check_numbers(const char* shape, std::span<const Eigen::Vector3d> nodes, co
 inline void check(const Mesh& mesh) {
   const std::span<const Eigen::Vector3d> nodes = mesh.nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
-    if (!nodes[n].allFinite())
+    if (!std::isfinite(nodes[n].sum()))
       throw Error(detail::joined({"Node ", std::to_string(n), " at ", detail::text(nodes[n]),
                                   " has no finite position: correct its coordinates."}));
   detail::check_numbers("Hexahedron", nodes, mesh.hexahedra);

@@ -13,7 +13,9 @@ namespace strike {
 
 enum class Axis { x, y, z };
 
-inline Eigen::Vector3d unit(Axis axis) { return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis)); }
+inline Eigen::Vector3d unit(Axis axis) {
+  return {axis == Axis::x ? 1.0 : 0.0, axis == Axis::y ? 1.0 : 0.0, axis == Axis::z ? 1.0 : 0.0};
+}
 
 /// Diagonal of the smallest box around the nodes [length]: the size that tolerances refer to.
 inline double extent(std::span<const Eigen::Vector3d> nodes) {

@@ -30,9 +30,10 @@ inline Eigen::Vector3d area_vector(std::span<const Eigen::Vector3d> nodes, const
 
 /// Mean position of the corners of a face [length].
 inline Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const Face& face) {
-  const auto& [a, b, c, d] = face.nodes;
-  if (face.is_triangle()) return (nodes[a] + nodes[b] + nodes[c]) / 3;
-  return (nodes[a] + nodes[b] + nodes[c] + nodes[d]) / 4;
+  const std::size_t corners = face.is_triangle() ? 3 : 4;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < corners; ++i) sum += nodes[face.nodes[i]];
+  return sum / double(corners);
 }
 
 namespace detail {

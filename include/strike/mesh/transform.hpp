@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -99,9 +100,11 @@ inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
   while (buckets < 2 * mesh.nodes.size()) buckets *= 2;
   std::vector<Index> head(buckets, none), next;
   std::vector<Eigen::Vector3d> kept;
-  using Cube = Eigen::Matrix<std::int64_t, 3, 1>;
-  const auto cube = [&](const Eigen::Vector3d& x) -> Cube {
-    return (x / (4 * tolerance)).array().floor().cast<std::int64_t>();
+  const auto cube = [&](const Eigen::Vector3d& x) {
+    std::array<std::int64_t, 3> index;
+    for (std::size_t i = 0; i < 3; ++i)
+      index[i] = static_cast<std::int64_t>(std::floor(x[static_cast<Eigen::Index>(i)] / (4 * tolerance)));
+    return index;
   };
   const auto bucket = [&](std::int64_t i, std::int64_t j, std::int64_t k) -> std::size_t {
     std::uint64_t hash = 0;
@@ -116,7 +119,7 @@ inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
   std::vector<Index> number;
   for (const Eigen::Vector3d& x : mesh.nodes) {
     Index same = none;
-    const Cube lower = cube(x - reach), upper = cube(x + reach);
+    const auto lower = cube(x - reach), upper = cube(x + reach);
     for (auto i = lower[0]; i <= upper[0]; ++i)
       for (auto j = lower[1]; j <= upper[1]; ++j)
         for (auto k = lower[2]; k <= upper[2]; ++k)
@@ -125,7 +128,7 @@ inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
     if (same == none) {
       same = static_cast<Index>(kept.size());
       kept.push_back(x);
-      const Cube home = cube(x);
+      const auto home = cube(x);
       const std::size_t b = bucket(home[0], home[1], home[2]);
       next.push_back(head[b]);
       head[b] = same;

@@ -94,13 +94,13 @@ inline void write_vtu(const std::string& path, double time, const Mesh& mesh, co
                         " nodes, but got ", std::to_string(positions.size()), " rows of ",
                         std::to_string(positions.components()), ": give the positions of the nodes of the mesh."}));
 
-  detail::DataArray<std::int64_t> connectivity, offsets;
+  detail::DataArray<std::int32_t> connectivity, offsets;
   detail::DataArray<std::uint8_t> types;
-  std::int64_t offset = 0;
+  std::int32_t offset = 0;
   const auto add = [&](const auto& list, std::uint8_t type) {
     for (const auto& cell : list) {
-      for (const Index node : cell) connectivity.push_back(node);
-      offsets.push_back(offset += static_cast<std::int64_t>(cell.size()));
+      for (const Index node : cell) connectivity.push_back(static_cast<std::int32_t>(node));
+      offsets.push_back(offset += static_cast<std::int32_t>(cell.size()));
       types.push_back(type);
     }
   };

@@ -21,8 +21,8 @@ inline constexpr bool is_composite<Dual<T, N>> = true;
 template <class U, class S>
 concept Constituent = is_composite<S> &&(std::is_arithmetic_v<U> || std::same_as<U, typename S::value_type>);
 
-/// What Eigen asks of a number S.
-template <class S>
+/// What Eigen asks of a number S; cost, in built-in operations, decides what it unrolls.
+template <class S, std::size_t cost>
 struct EigenTraits {
   using T = RealOf<S>;
   using Real = S;
@@ -34,9 +34,9 @@ struct EigenTraits {
     IsInteger = 0,
     IsSigned = 1,
     RequireInitialization = 0,
-    ReadCost = 1,
-    AddCost = 1,
-    MulCost = 1,
+    ReadCost = cost,
+    AddCost = cost,
+    MulCost = cost,
   };
   static S epsilon() { return std::numeric_limits<T>::epsilon(); }
   static S dummy_precision() { return Eigen::NumTraits<T>::dummy_precision(); }
@@ -53,9 +53,9 @@ struct EigenTraits {
 /// matrices of doubles may stand. What branches on a value (`normalized`, decompositions with pivots) needs a scalar
 /// whose comparison is a bool, and does not compile for packs.
 template <class T, std::size_t N>
-struct Eigen::NumTraits<strike::Pack<T, N>> : strike::detail::EigenTraits<strike::Pack<T, N>> {};
+struct Eigen::NumTraits<strike::Pack<T, N>> : strike::detail::EigenTraits<strike::Pack<T, N>, 1> {};
 template <class T, std::size_t N>
-struct Eigen::NumTraits<strike::Dual<T, N>> : strike::detail::EigenTraits<strike::Dual<T, N>> {};
+struct Eigen::NumTraits<strike::Dual<T, N>> : strike::detail::EigenTraits<strike::Dual<T, N>, 2 * N + 1> {};
 
 template <class S, class U, class Operation>
 requires strike::detail::Constituent<U, S>

@@ -34,6 +34,11 @@ struct SymmetricTensor {
     return {c * a.xx, c * a.yy, c * a.zz, c * a.xy, c * a.yz, c * a.zx};
   }
   SymmetricTensor& operator+=(const SymmetricTensor& b) { return *this = *this + b; }
+  template <class Condition>
+  friend SymmetricTensor select(const Condition& c, const SymmetricTensor& a, const SymmetricTensor& b) {
+    return {select(c, a.xx, b.xx), select(c, a.yy, b.yy), select(c, a.zz, b.zz),
+            select(c, a.xy, b.xy), select(c, a.yz, b.yz), select(c, a.zx, b.zx)};
+  }
 
   Matrix3<T> matrix() const {
     Matrix3<T> m;

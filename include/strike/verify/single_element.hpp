@@ -127,11 +127,11 @@ class SingleElement {
     return history;
   }
 
-  /// Its free vibrations about where it stands, by central differences of its forces over steps dt and 2 dt with dt =
-  /// the stable step. What acts in compression only shows if the nodes move: give their `velocities`.
+  /// Its free vibrations about where it stands, by central differences of its forces. What acts in compression only
+  /// shows if the nodes move: give their `velocities`.
   ElementVibration vibration(const Vectors& velocities = Vectors::Zero()) const {
-    const double dt = record_.stable_step, h = 1e-5 * shortest_distance() / dt;
-    const Eigen::MatrixXd one = slope(velocities, h, dt), two = slope(velocities, 0.5 * h, 2 * dt);  // dt K + C
+    const double dt = 0.01 * record_.stable_step;
+    const Eigen::MatrixXd one = slope(velocities, dt), two = slope(velocities, 2 * dt);  // dt K + C
     const auto symmetric = [](const Eigen::MatrixXd& A) -> Eigen::MatrixXd { return 0.5 * (A + A.transpose()); };
     return {.stiffness = symmetric((two - one) / dt), .damping = symmetric(2 * one - two), .mass = mass_};
   }
@@ -150,20 +150,17 @@ class SingleElement {
     return (1 / points) * sum;
   }
 
-  Vectors force(const Vectors& v, double dt) const {
-    State scratch = state_;
-    return element_.advance(scratch, material_, Vectors(record_.x + dt * v), v, dt).force;
-  }
-
-  /// df/dv over a step dt.
-  Eigen::MatrixXd slope(const Vectors& velocities, double h, double dt) const {
+  /// df/dv over a step dt that ends where the element stands, but for what v changes.
+  Eigen::MatrixXd slope(const Vectors& velocities, double dt) const {
+    const double h = 1e-7 * shortest_distance() / dt;
+    const auto force = [&](int j, double change) -> Vectors {
+      Vectors x = record_.x, v = velocities;
+      x(j) += dt * change, v(j) += change;
+      State scratch = state_;
+      return element_.advance(scratch, material_, x, v, dt).force;
+    };
     Eigen::MatrixXd A(3 * n, 3 * n);
-    for (int j = 0; j < 3 * n; ++j) {
-      Vectors up = velocities, down = velocities;
-      up(j) += h, down(j) -= h;
-      const Vectors change = (force(up, dt) - force(down, dt)) / (2 * h);
-      A.col(j) = change.reshaped();
-    }
+    for (int j = 0; j < 3 * n; ++j) A.col(j) = Vectors(force(j, h) - force(j, -h)).reshaped() / (2 * h);
     return A;
   }
 

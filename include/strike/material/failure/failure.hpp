@@ -3,8 +3,14 @@
 
 namespace strike {
 
-/// When a material fails: `fails(equivalent_stress, state)`, asked after each step. What has failed carries no stress
-/// and stays failed; its mass remains.
+/// When a material fails: `fails(equivalent_stress, state)`, asked after each step, with a `State<T>` that has
+/// `intact`. What has failed carries no stress and stays failed; its mass remains.
+template <class F>
+concept FailureCriterion = requires {
+  typename F::template State<double>;
+};
+
+/// Never.
 struct NoFailure {
   template <class T>
   struct State {};

@@ -1,0 +1,17 @@
+// expect: this element lacks one of State<M, T>, begin(state, material, x)
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+struct Brick {
+  using Kinematics = SolidKinematics;
+  static constexpr int nodes = 8;
+};
+
+int main() {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                    VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
+  Explicit run{Scene{mesh.nodes, Part{Brick{}, steel, mesh.hexahedra}}};
+  run.until(1e-3);
+}
