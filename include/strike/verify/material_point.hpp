@@ -123,14 +123,14 @@ class MaterialPoint {
     W << 0, -w(2), w(1), w(2), 0, -w(0), -w(1), w(0), 0;
     const Matrix3<double> h = 0.5 * dt * (D.matrix() + W), I = Matrix3<double>::Identity();
     next.deformation_gradient = (I - h).inverse() * (I + h) * now_.deformation_gradient;
-    const double J_old = now_.relative_volume(), J = next.relative_volume();
+    const double J = next.relative_volume(), J_mid = J - 0.5 * volume_increment(J, dt * trace(D));
 
     const auto turn = rotation_.turn(Vector3<double>(dt * w));
     turn_tensors(turn, next.state);
     const Tensor before = turn(now_.stress);
     const Tensor D_end = rotation_.turn(Vector3<double>(0.5 * dt * w))(D);  // half the spin is still to come
     next.stress = material_.stress(next.state, {D_end, J}, dt);
-    next.work += 0.5 * dt * double_dot(J_old * before + J * next.stress, D_end);
+    next.work += J_mid * dt * 0.5 * double_dot(before + next.stress, D_end);
     return next;
   }
 
