@@ -60,3 +60,33 @@ TEST_CASE("a step below the smallest is refused with the element that asks for i
   CHECK_THAT(told([&] { run.until(10); }),
              ContainsSubstring("the time step has fallen to") && ContainsSubstring("element 0 of part 0"));
 }
+
+TEST_CASE("constants from which no wave follows are refused") {
+  const Mesh mesh = cube();
+  const Elastic nothing{.reference_density = 1000, .youngs_modulus = -1};
+  CHECK_THAT(
+      told([&] {
+        Explicit{Scene{mesh.nodes, Part{Hex8{}, nothing, mesh.hexahedra}}, {}, in<double>};
+      }),
+      ContainsSubstring("the material of part 0 has the density 1000") && ContainsSubstring("correct its constants"));
+}
+
+TEST_CASE("float far from the origin is refused, double is not") {  // D21: spacing 0.06 at 1e6
+  const Mesh mesh = box({.lower = {1e6, 0, 0}, .size = {1, 1, 1}, .cells = {1, 1, 1}});
+  CHECK_THAT(told([&] {
+               Explicit{Scene{mesh.nodes, Part{Hex8{}, rubber, mesh.hexahedra}}, {}, in<Pack<float, 4>>};
+             }),
+             ContainsSubstring("move the mesh to the origin or compute in double"));
+  CHECK(told([&] { Explicit{Scene{mesh.nodes, Part{Hex8{}, rubber, mesh.hexahedra}}, {}, in<double>}; }) == "nothing");
+}
+
+TEST_CASE("softening is noticed") {
+  const Mesh mesh = cube();
+  const auto notices = [&](double hardening) {
+    const Solid metal{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                      VonMises{.shear_modulus = 80e9, .yield_stress = 4e8, .hardening_modulus = hardening}};
+    return Explicit{Scene{mesh.nodes, Part{Hex8{}, metal, mesh.hexahedra}}, {}, in<double>}.notices().size();
+  };
+  CHECK(notices(0) == 0);
+  CHECK(notices(-1e9) == 1);
+}

@@ -89,6 +89,20 @@ class Explicit {
   double dt() const { return step_.dt; }
   /// The element that allows the least step, and that step before the factor.
   const StableStep& stable_step() const { return stable_; }
+  /// What the user should know before believing the results, a sentence each.
+  std::vector<std::string> notices() const {
+    std::vector<std::string> all;
+    std::apply(
+        [&](const auto&... thing) {
+          const auto ask = [&](const auto& t) {
+            if constexpr (requires { t.notice(); })
+              if (const std::string notice = t.notice(); !notice.empty()) all.push_back(notice);
+          };
+          (ask(thing), ...);
+        },
+        things_);
+    return all;
+  }
   /// The energies at the last time at which both neighbouring velocities are known, one step back.
   const Energy& energy() const { return energy_; }
   Eigen::Vector3d momentum() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -119,6 +120,7 @@ class RunningPart {
         number_(number) {
     if (size_ == 0)
       throw Error(detail::joined({"strike: part ", std::to_string(number), " has no elements; give it cells."}));
+    check_material();
     blocks_.resize((size_ + width - 1) / width);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       for (std::size_t l = 0; l < width; ++l) {
@@ -133,6 +135,7 @@ class RunningPart {
       }
       const T mass = element_.begin(blocks_[b].state, material_, gather<T, n>(nodes.position(), blocks_[b].nodes));
       for (std::size_t l = 0; l < count(b); ++l) {
+        check_resolution(nodes, b * width + l);
         if (!(lane(mass, l) > 0))
           throw Error(detail::joined({"strike: ", name(b * width + l), " at ", place(nodes, b * width + l),
                                       " has no positive mass; its corners are in the wrong order or coincide."}));
@@ -181,6 +184,13 @@ class RunningPart {
     return stable;
   }
 
+  /// What the user should know of the material, if anything: one sentence.
+  std::string notice() const {
+    if constexpr (requires { material_.notice(); })
+      return material_.notice();
+    else
+      return {};
+  }
   std::size_t size() const { return size_; }
   const E& element() const { return element_; }
   const M& material() const { return material_; }
@@ -230,6 +240,37 @@ class RunningPart {
     T ones = T(0.0);
     for (std::size_t l = 0; l < count(blocks_.size() - 1); ++l) set_lane(ones, l, Real(1));
     return ones;
+  }
+
+  /// Constants from which no wave follows are refused.
+  [[gnu::cold]] void check_material() const {
+    typename M::template State<double> state{};
+    if constexpr (requires { material_.begin(state); }) material_.begin(state);
+    const double density = material_.density(),
+                 wave = material_.moduli(state, typename M::Kinematics::template Rate<double>{}).wave();
+    if (!(density > 0 && wave > 0 && std::isfinite(density) && std::isfinite(wave)))
+      throw Error(detail::joined({"strike: the material of part ", std::to_string(number_), " has the density ",
+                                  detail::text(density), " and at rest the wave modulus K + 4/3 G = ",
+                                  detail::text(wave), "; both must be positive: correct its constants."}));
+  }
+
+  /// An element so far from the origin that the spacing of the numbers there would strain it by more than a thousandth.
+  void check_resolution(const Nodes<Real>& nodes, std::size_t e) const {
+    const std::array<Index, n> c = cell(e);
+    Real distance = 0, width2 = std::numeric_limits<Real>::infinity();
+    for (std::size_t i = 0; i < n; ++i) {
+      distance = std::max(distance, nodes.x(c[i]).cwiseAbs().maxCoeff());
+      for (std::size_t j = 0; j < i; ++j) {
+        const Real d2 = (nodes.x(c[i]) - nodes.x(c[j])).squaredNorm();
+        if (d2 > 0) width2 = std::min(width2, d2);
+      }
+    }
+    const Real spacing = distance * std::numeric_limits<Real>::epsilon();
+    if (spacing > Real(1e-3) * std::sqrt(width2))
+      throw Error(detail::joined({"strike: ", name(e), " at ", place(nodes, e), " is only ",
+                                  detail::text(static_cast<double>(std::sqrt(width2))), " wide where numbers are ",
+                                  detail::text(static_cast<double>(spacing)),
+                                  " apart; move the mesh to the origin or compute in double."}));
   }
 
   [[noreturn, gnu::cold, gnu::noinline]] void explain_inversion(const Nodes<Real>& nodes, std::size_t e,

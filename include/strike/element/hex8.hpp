@@ -73,7 +73,9 @@ struct Hex8 {
     turn_tensors(turn, state.material);
     turn_tensors(turn, state.hourglass);
 
-    const SymmetricTensor<T> S = T(per_volume * per_volume) * g.squared();
+    const T w = T(1.0 / 512.0) * per_volume * per_volume;
+    const SymmetricTensor<T> S_b = w * g.squared_b(), S = S_b + w * g.squared_a();
+    const T hourglass_overlap = overlap(S, S_b, m, g, per_volume);
     const Stability<T> stability{trace(S), largest_eigenvalue(S), specific_volume};
     Response<T, 8> response;
     response.volume = V;
@@ -107,7 +109,9 @@ struct Hex8 {
     Matrix3<T> P = sigma.matrix();
     response.hourglass_work = T(0.0);
     if constexpr (controlled) {
-      const HourglassElement<T> element{rho, V, moduli.wave(), moduli.shear, stability.trace, T(dt)};
+      const HourglassElement<T> element{
+          rho,  V, T((1.0 / material.density()) * state.inverse_volume), moduli.wave(), moduli.shear, stability.trace,
+          T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
         return u_k - L.col(0) * m_k(0) - L.col(1) * m_k(1) - L.col(2) * m_k(2);
       };
@@ -118,8 +122,7 @@ struct Hex8 {
         P.col(j) -= per_volume * (Q[0] * m.b1(j) + Q[1] * m.b2(j) + Q[2] * m.b3(j) + Q[3] * m.d(j));
       F.b1 = Q[0], F.b2 = Q[1], F.b3 = Q[2], F.d = Q[3];
 
-      response.stable_step =
-          1.0 / critical_rate(vibration, hourglass.critical_rate(element), overlap(S, m, g, per_volume));
+      response.stable_step = 1.0 / critical_rate(vibration, hourglass.critical_rate(element), hourglass_overlap);
     } else {
       F.b1 = F.b2 = F.b3 = F.d = Vector3<T>::Zero();
       response.stable_step = 1.0 / vibration.critical_rate();
@@ -138,17 +141,14 @@ struct Hex8 {
   }
 
  private:
-  /// |P gamma|^2/8 of the hourglass vectors gamma_k = Lambda_k - b.m_k, where P projects onto the gradient b = B/V:
-  /// from X_k = b.gamma_k = g_k/(8 V) - S m_k it is the norm of S^-1 X X^T, which is symmetric but for a change of
-  /// basis.
+  /// tr(P gamma gamma^T)/8 of the hourglass vectors gamma_k = Lambda_k - b.m_k, where P projects onto the gradient b =
+  /// B/V: |P gamma_k|^2 = m_k.S m_k - m_k.g_k/(4 V) + g_k.S^-1 g_k/(8 V)^2.
   template <class T>
-  static T overlap(const SymmetricTensor<T>& S, const Hex8Modes<T>& m, const Hex8Gradient<T>& g, const T& per_volume) {
-    SymmetricTensor<T> XX{};
-    const auto add = [&](const Vector3<T>& X) { XX += outer_square(X); };
-    const T w = 0.125 * per_volume;
-    add(w * g.b1 - S * m.b1), add(w * g.b2 - S * m.b2), add(w * g.b3 - S * m.b3), add(S * m.d);
-    const Matrix3<T> A = inverse(S).matrix().lazyProduct(XX.matrix());
-    return 0.125 * sqrt(max(T(0.0), A.cwiseProduct(A.transpose()).sum()));
+  static T overlap(const SymmetricTensor<T>& S, const SymmetricTensor<T>& S_b, const Hex8Modes<T>& m,
+                   const Hex8Gradient<T>& g, const T& per_volume) {
+    const SymmetricTensor<T> mm = outer_square(m.b1) + outer_square(m.b2) + outer_square(m.b3) + outer_square(m.d);
+    const T mg = m.b1.dot(g.b1) + m.b2.dot(g.b2) + m.b3.dot(g.b3);
+    return max(T(0.0), 0.125 * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
   }
 
   static constexpr bool viscous = !std::same_as<Viscosity, NoBulkViscosity>;

@@ -63,14 +63,10 @@ struct Hex8Gradient {
     return L;
   }
 
-  /// B_iI B_jI = sum_k g_k (x) g_k / 512.
-  SymmetricTensor<T> squared() const {
-    const auto sum = [&](int i, int j) -> T {
-      return T(1.0 / 512.0) *
-             (a1(i) * a1(j) + a2(i) * a2(j) + a3(i) * a3(j) + b1(i) * b1(j) + b2(i) * b2(j) + b3(i) * b3(j));
-    };
-    return {sum(0, 0), sum(1, 1), sum(2, 2), sum(0, 1), sum(1, 2), sum(2, 0)};
-  }
+  /// 512 B_iI B_jI = sum_k g_k (x) g_k: the part of the modes a, all there is in a parallelepiped, ...
+  SymmetricTensor<T> squared_a() const { return outer_square(a1) + outer_square(a2) + outer_square(a3); }
+  /// ... and the part of the modes b.
+  SymmetricTensor<T> squared_b() const { return outer_square(b1) + outer_square(b2) + outer_square(b3); }
 };
 
 }  // namespace strike

@@ -14,7 +14,7 @@ using HourglassModes = std::array<Vector3<T>, 4>;
 /// What an hourglass control may know of its element.
 template <class T>
 struct HourglassElement {
-  T density, volume;
+  T density, volume, per_mass;    ///< per_mass: 1/(rho V)
   T wave_modulus, shear_modulus;  ///< rho c^2 and G
   T gradient_squared;             ///< B_iI B_iI/V^2
   T dt;
@@ -63,7 +63,7 @@ struct ViscousHourglass {
   /// One over the largest step that this alone allows, half the rate of decay a |Lambda|^2/m = 64 a/(rho V).
   template <class T>
   T critical_rate(const HourglassElement<T>& e) const {
-    return 32.0 * damping(e) / (e.density * e.volume);
+    return 32.0 * damping(e) * e.per_mass;
   }
 };
 
@@ -100,7 +100,7 @@ struct StiffnessHourglass {
   /// One over the largest step that this alone allows, half the frequency sqrt(k |Lambda|^2/m).
   template <class T>
   T critical_rate(const HourglassElement<T>& e) const {
-    return sqrt(16.0 * stiffness(e) / (e.density * e.volume));
+    return sqrt(16.0 * stiffness(e) * e.per_mass);
   }
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <tuple>
 
 #include <strike/material/eos/eos.hpp>
@@ -46,6 +47,10 @@ struct Solid {
     state = {};
     state.stress = SymmetricTensor<T>::isotropic(-begin_eos(eos, state));
   }
+
+  /// What the user should know, if anything.
+  std::string notice() const requires requires(S law) { law.notice(); }
+  { return strength.notice(); }
 
   template <class T>
   SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {

@@ -34,7 +34,8 @@ namespace detail {
 /// Quadrilaterals of a quarter disc of unit radius, x >= 0 and y >= 0: a core of n x n about the axis and two outer
 /// blocks of n x n around it. Exactly symmetric about x = y, and exactly on the axes.
 inline Mesh quarter_disc(Index n) {
-  constexpr double side = 0.55, corner = 0.42;  // core (side, 0), (corner, corner), (0, side): see docs/mesh/cylinder
+  // Corners of the core at (side, 0), (corner, corner), (0, side): inside and around it cells are about equally long.
+  constexpr double side = 0.55, corner = 0.42;
   Mesh disc;
   const auto core = [&](Index i, Index j) -> Eigen::Vector3d {
     const double u = double(i) / n, v = double(j) / n;

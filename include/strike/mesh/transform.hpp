@@ -39,8 +39,9 @@ inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
 /// The mesh stretched from the origin by one positive factor per axis.
 inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
   if (!(factor.minCoeff() > 0)) throw Error("A mesh is scaled by positive factors only: use `mirrored` to reflect it.");
-  return transformed(std::move(mesh),
-                     [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(x.cwiseProduct(factor)); });
+  return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {
+    return Eigen::Vector3d(x[0] * factor[0], x[1] * factor[1], x[2] * factor[2]);
+  });
 }
 
 /// The mirror image in the plane through the origin with the given normal. Corners are reordered, so that volumes and

@@ -27,11 +27,12 @@ enum class Sides { outer, both };
 /// What a picture shows and how.
 struct PictureOptions {
   std::string title = {}, caption = {};
-  std::string quantity = {}, unit = {};                   ///< head of the legend
-  Eigen::Vector3d from = {2, -3, 1};                      ///< direction in which the eye is, infinitely far
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();          ///< what is up in the picture
-  std::vector<Axis> mirror = {};                          ///< planes x = 0, y = 0, z = 0 in which the model is mirrored
-  double low = std::numeric_limits<double>::quiet_NaN();  ///< value at the lower end of the legend; NaN: the smallest
+  std::string quantity = {}, unit = {};           ///< head of the legend
+  Eigen::Vector3d from = {2, -3, 1};              ///< direction in which the eye is, infinitely far
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< what is up in the picture
+  std::vector<Axis> mirror =
+      {};  ///< planes x = 0, ... that the model ends at: it is mirrored there; a plane left out shows as a section
+  double low = std::numeric_limits<double>::quiet_NaN();   ///< value at the lower end of the legend; NaN: the smallest
   double high = std::numeric_limits<double>::quiet_NaN();  ///< value at the upper end; NaN: the largest
   ColourMap colours = colour_maps::ember;
   std::string length_unit = {};  ///< if given, a bar of a round length is drawn to scale

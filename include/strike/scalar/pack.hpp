@@ -45,7 +45,7 @@ class Mask;
 /// otherwise)`. Literals convert by themselves. N is a power of two.
 template <std::floating_point T, std::size_t N = native_lanes<T>>
 class Pack {
-  static_assert((N & (N - 1)) == 0, "strike: the number of lanes of a Pack must be a power of two.");
+  static_assert(std::has_single_bit(N), "strike: the number of lanes of a Pack must be a power of two.");
 
  public:
   /// N = registers * width. For code that moves data, not for formulas.

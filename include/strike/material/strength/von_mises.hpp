@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -8,6 +10,12 @@ struct VonMises {
   double shear_modulus;          ///< G
   double yield_stress;           ///< Y
   double hardening_modulus = 0;  ///< H = d sigma / d (plastic strain), > -3 G; negative is softening
+
+  std::string notice() const {
+    if (hardening_modulus >= 0) return {};
+    return "The hardening modulus is negative: strain that softens gathers in one row of elements, and the result "
+           "depends on the mesh.";
+  }
 
   template <class T>
   T flow_stress(const T& e) const {
