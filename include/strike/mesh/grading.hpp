@@ -23,8 +23,8 @@ inline std::vector<double> graded(double lower, double upper, Index cells, doubl
   const double q = cells > 1 ? std::pow(grading, 1.0 / (cells - 1)) : 1;
   std::vector<double> distance{0};
   for (Index i = 0; i < cells; ++i) distance.push_back(distance.back() + (q == 1 ? 1 : std::pow(q, i)));
-  std::vector<double> position;
-  for (const double s : distance) position.push_back(lower + (upper - lower) * (s / distance.back()));
+  std::vector<double> position = distance;
+  for (double& x : position) x = lower + (upper - lower) * (x / distance.back());
   position.back() = upper;
   return position;
 }

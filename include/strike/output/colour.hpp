@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -30,11 +28,12 @@ struct Colour {
 
   /// As SVG writes it: #rrggbb.
   std::string hex() const {
-    std::array<unsigned, 3> byte;
-    const auto rgb = srgb();
-    for (std::size_t i = 0; i < 3; ++i) byte[i] = static_cast<unsigned>(255 * std::clamp(rgb[i], 0.0, 1.0) + 0.5);
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", byte[0] & 255, byte[1] & 255, byte[2] & 255);
+    std::string text = "#";
+    for (const double channel : srgb()) {
+      const auto byte = std::lround(255 * std::clamp(channel, 0.0, 1.0));
+      text += "0123456789abcdef"[byte / 16];
+      text += "0123456789abcdef"[byte % 16];
+    }
     return text;
   }
 

@@ -24,7 +24,7 @@ struct Column {
 /// returns, even if the program is killed after. Errors: the file cannot be opened or written; a row of another length.
 class History {
  public:
-  History(std::string path, std::vector<Column> columns) : columns_(columns.size()), file_(std::move(path)) {
+  History(std::string path, const std::vector<Column>& columns) : columns_(columns.size()), file_(std::move(path)) {
     if (columns.empty())
       throw Error(detail::joined({"History '", file_.path(), "' has no columns: name at least one."}));
     std::string head;

@@ -122,7 +122,11 @@ class Picture {
         const double px = std::round(10 * x_of(patch->corners[i])) / 10,
                      py = std::round(10 * y_of(patch->corners[i])) / 10;
         const std::string dx = detail::pixels(px - x), dy = detail::pixels(py - y);
-        path += (i == 0 ? "M" : i == 1 ? "l" : dx[0] == '-' ? "" : " ") + dx + (dy[0] == '-' ? "" : " ") + dy;
+        path += detail::joined({i == 0         ? "M"
+                                : i == 1       ? "l"
+                                : dx[0] == '-' ? ""
+                                               : " ",
+                                dx, dy[0] == '-' ? "" : " ", dy});
         x = px;
         y = py;
       }
