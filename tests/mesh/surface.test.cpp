@@ -1,5 +1,7 @@
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -110,18 +112,17 @@ TEST_CASE("surface: every face of one hexahedron looks outward") {
 TEST_CASE("surface: time grows as the number of cells") {
   const auto seconds = [](Index n) {
     const Mesh mesh = box({.size = {1, 1, 1}, .cells = {n, n, n}});
-    double best = 1e9;
-    for (int run = 0; run < 3; ++run) {
-      const auto start = std::chrono::steady_clock::now();
+    std::clock_t best = std::numeric_limits<std::clock_t>::max();  // of the processor, so that neighbours do not count
+    for (int run = 0; run < 5; ++run) {
+      const std::clock_t start = std::clock();
       const auto faces = surface(mesh);
-      best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      best = std::min(best, std::clock() - start);
       REQUIRE(faces.size() == 6 * n * n);
     }
-    return best;
+    return double(best) / CLOCKS_PER_SEC;
   };
-  // 27 times the cells: 27 times the work if linear, 729 if quadratic; between them lies room for caches and
-  // neighbours.
-  CHECK(seconds(36) < 150 * seconds(12));
+  // 27 times the cells: 27 times the work if linear, 729 if quadratic; the room between is for caches.
+  CHECK(seconds(36) < 200 * seconds(12));
 }
 
 TEST_CASE("surface: a cell that is there twice beside its neighbour is an error") {
