@@ -27,8 +27,8 @@ TEST_CASE("fluid: Newtonian shear stress 2 eta D' beside the pressure, none at r
   Matrix3<double> L = Matrix3<double>::Zero();
   L(0, 0) = 10;
   const auto& now = point.step(L, 1e-9);
-  CHECK((now.stress.xx - now.stress.yy) == Approx(2 * 0.5 * 10).epsilon(1e-6));
-  CHECK((now.stress.xx - (-trace(now.stress) / -3)) == Approx(2 * 0.5 * 10 * 2. / 3).epsilon(1e-6));
+  CHECK(now.stress.xx - now.stress.yy == Approx(2 * 0.5 * 10).epsilon(1e-6));
+  CHECK(now.stress.xx - trace(now.stress) / 3 == Approx(2 * 0.5 * 10 * 2. / 3).epsilon(1e-6));
 
   point.run(hold(1, 1));
   CHECK(point.now().stress.xy == 0);
