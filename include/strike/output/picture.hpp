@@ -30,8 +30,8 @@ struct PictureOptions {
   std::string quantity = {}, unit = {};           ///< head of the legend
   Eigen::Vector3d from = {2, -3, 1};              ///< direction in which the eye is, infinitely far
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< what is up in the picture
-  std::vector<Axis> mirror =
-      {};  ///< planes x = 0, ... that the model ends at: it is mirrored there; a plane left out shows as a section
+  /// Planes x = 0, ... in which the model is mirrored; a plane of symmetry that is left out shows as a section.
+  std::vector<Axis> mirror = {};
   double low = std::numeric_limits<double>::quiet_NaN();   ///< value at the lower end of the legend; NaN: the smallest
   double high = std::numeric_limits<double>::quiet_NaN();  ///< value at the upper end; NaN: the largest
   ColourMap colours = colour_maps::ember;
@@ -82,79 +82,35 @@ class Picture {
   std::string svg() const {
     if (patches_.empty())
       throw Error(detail::joined({"The picture '", options_.title, "' shows no face: add a surface first."}));
-    std::vector<const Patch*> order;
-    for (const Patch& patch : patches_) order.push_back(&patch);
-    std::sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
-      return a->depth != b->depth ? a->depth < b->depth : a < b;  // one order on every machine
-    });
-
-    Eigen::Vector3d lower = patches_[0].corners[0], upper = lower;
-    for (const Patch& patch : patches_)
-      for (std::size_t i = 0; i < patch.size; ++i) {
-        lower = lower.cwiseMin(patch.corners[i]);
-        upper = upper.cwiseMax(patch.corners[i]);
-      }
-    const Eigen::Vector3d room = upper - lower;
-    const double scale = options_.size / std::max({room[0], room[1], std::numeric_limits<double>::min()});
-    const bool legend = low_ <= high_;
-    constexpr double margin = 40;
-    const double left = margin, head = options_.title.empty() ? margin : 84;
-    const double width = std::max(left + scale * room[0] + (legend ? 190 : margin),
-                                  std::max(420.0, 2 * margin + detail::text_width(options_.title, 21)));
-    const double model_left = left + (width - (legend ? 190 : margin) - left - scale * room[0]) / 2;
-    const auto x_of = [&](const Eigen::Vector3d& p) { return model_left + scale * (p[0] - lower[0]); };
-    const auto y_of = [&](const Eigen::Vector3d& p) { return head + scale * (upper[1] - p[1]); };
-    double foot = head + scale * room[1];
-
-    detail::Svg svg;
-    if (!options_.title.empty()) svg.text(left, 46, options_.title, {.size = 21, .fill = "#1a1a1a", .weight = "600"});
-
+    const bool legend = low_ <= high_;  // some face has a value
     const double low = std::isnan(options_.low) ? low_ : options_.low;
     const double high = std::isnan(options_.high) ? high_ : options_.high;
-    svg.open("g",
-             {{"stroke", "#000000"}, {"stroke-opacity", ".28"}, {"stroke-width", ".5"}, {"stroke-linejoin", "round"}});
-    for (const Patch* patch : order) {
-      const Colour colour = patch->plain ? Colour{0.86, 0.01, 250}
-                                         : options_.colours(high > low ? (patch->value - low) / (high - low) : 0);
-      std::string path;
-      double x = 0, y = 0;  // as rounded in the file, so that relative moves do not drift
-      for (std::size_t i = 0; i < patch->size; ++i) {
-        const double px = std::round(10 * x_of(patch->corners[i])) / 10,
-                     py = std::round(10 * y_of(patch->corners[i])) / 10;
-        const std::string dx = detail::pixels(px - x), dy = detail::pixels(py - y);
-        path += detail::joined({i == 0         ? "M"
-                                : i == 1       ? "l"
-                                : dx[0] == '-' ? ""
-                                               : " ",
-                                dx, dy[0] == '-' ? "" : " ", dy});
-        x = px;
-        y = py;
-      }
-      svg.element("path", {{"fill", colour.in_light(patch->light).hex()}, {"d", path += 'z'}});
-    }
-    svg.close();
 
-    for (const Mark& mark : marks_) {
-      const Eigen::Vector3d p = projected(mark.place);
-      svg.element("circle", {{"cx", x_of(p)},
-                             {"cy", y_of(p)},
-                             {"r", 4},
-                             {"fill", "#ffffff"},
-                             {"stroke", "#1a1a1a"},
-                             {"stroke-width", "1.5"}});
-      svg.text(x_of(p) + 9, y_of(p) + 4.5, mark.label, {.fill = "#1a1a1a", .halo = "#ffffff"});
-    }
-    if (legend) foot = std::max(foot, draw_legend(svg, width - 138, head, low, high));
-    if (!options_.length_unit.empty()) foot = draw_scale_bar(svg, left, foot + 30, scale, room[0]);
-    double y = foot + 36;
+    Frame frame = bounds();
+    constexpr double margin = 40, legend_room = 190;
+    const double right = legend ? legend_room : margin;
+    const double width =
+        std::max({margin + frame.width() + right, 2 * margin + detail::text_width(options_.title, 21), 420.0});
+    frame.left = margin + (width - margin - frame.width() - right) / 2;
+    frame.top = options_.title.empty() ? margin : 84;
+
+    detail::Svg svg;
+    if (!options_.title.empty()) svg.text(margin, 46, options_.title, {.size = 21, .fill = "#1a1a1a", .weight = "600"});
+    draw_faces(svg, frame, low, high);
+    draw_marks(svg, frame);
+    double foot = frame.top + frame.height();
+    if (legend) foot = std::max(foot, draw_legend(svg, width - 138, frame.top, low, high));
+    if (!options_.length_unit.empty()) foot = draw_scale_bar(svg, margin, foot + 30, frame);
+    foot += 36;
     if (!options_.caption.empty())
-      y = svg.paragraph(left, y, options_.caption, width - 2 * left, {.fill = "#595959"}) + 10;
-    return svg.file(width, y);
+      foot = svg.paragraph(margin, foot, options_.caption, width - 2 * margin, {.fill = "#595959"}) + 10;
+    return svg.file(width, foot);
   }
 
  private:
+  /// A face in the picture.
   struct Patch {
-    std::array<Eigen::Vector3d, 4> corners;
+    std::array<Eigen::Vector3d, 4> corners;  // projected
     std::size_t size;
     double depth, light, value;
     bool plain;
@@ -163,6 +119,27 @@ class Picture {
     Eigen::Vector3d place;
     std::string label;
   };
+  /// Where the picture of the model lies on the sheet.
+  struct Frame {
+    Eigen::Vector3d lower, upper;  // ends of the projected model
+    double scale;                  // [px / length]
+    double left = 0, top = 0;      // [px]
+
+    double width() const { return scale * (upper[0] - lower[0]); }
+    double height() const { return scale * (upper[1] - lower[1]); }
+    double x(const Eigen::Vector3d& p) const { return left + scale * (p[0] - lower[0]); }
+    double y(const Eigen::Vector3d& p) const { return top + scale * (upper[1] - p[1]); }
+  };
+
+  Frame bounds() const {
+    Eigen::Vector3d lower = patches_[0].corners[0], upper = lower;
+    for (const Patch& patch : patches_)
+      for (std::size_t i = 0; i < patch.size; ++i) {
+        lower = lower.cwiseMin(patch.corners[i]);
+        upper = upper.cwiseMax(patch.corners[i]);
+      }
+    return {lower, upper, options_.size / std::max(upper[0] - lower[0], upper[1] - lower[1])};
+  }
 
   void note(double value) {
     if (!std::isfinite(value)) return;
@@ -213,6 +190,43 @@ class Picture {
     });
   }
 
+  /// Faces from the back to the front.
+  void draw_faces(detail::Svg& svg, const Frame& frame, double low, double high) const {
+    std::vector<const Patch*> order;
+    for (const Patch& patch : patches_) order.push_back(&patch);
+    std::sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
+      return a->depth != b->depth ? a->depth < b->depth : a < b;  // one order on every machine
+    });
+    svg.open("g",
+             {{"stroke", "#000000"}, {"stroke-opacity", ".28"}, {"stroke-width", ".5"}, {"stroke-linejoin", "round"}});
+    for (const Patch* patch : order) {
+      const Colour colour = patch->plain ? Colour{0.86, 0.01, 250}
+                                         : options_.colours(high > low ? (patch->value - low) / (high - low) : 0);
+      std::string path;
+      double x = 0, y = 0;  // as rounded in the file, so that relative moves do not drift
+      for (std::size_t i = 0; i < patch->size; ++i) {
+        const double next_x = std::round(10 * frame.x(patch->corners[i])) / 10;
+        const double next_y = std::round(10 * frame.y(patch->corners[i])) / 10;
+        path += detail::joined({i == 0 ? "M" : "l", detail::pixels(next_x - x), " ", detail::pixels(next_y - y)});
+        x = next_x;
+        y = next_y;
+      }
+      svg.element("path", {{"fill", colour.in_light(patch->light).hex()}, {"d", path += 'z'}});
+    }
+    svg.close();
+  }
+
+  void draw_marks(detail::Svg& svg, const Frame& frame) const {
+    for (const Mark& mark : marks_) {
+      const Eigen::Vector3d p = projected(mark.place);
+      const double x = frame.x(p), y = frame.y(p);
+      svg.element(
+          "circle",
+          {{"cx", x}, {"cy", y}, {"r", 4}, {"fill", "#ffffff"}, {"stroke", "#1a1a1a"}, {"stroke-width", "1.5"}});
+      svg.text(x + 9, y + 4.5, mark.label, {.fill = "#1a1a1a", .halo = "#ffffff"});
+    }
+  }
+
   /// The bar of colours from y downward; gives the y of its foot.
   double draw_legend(detail::Svg& svg, double x, double y, double low, double high) const {
     constexpr double bar_width = 16, bar_height = 240;
@@ -233,9 +247,9 @@ class Picture {
   }
 
   /// A bar of a round length; gives the y of its foot.
-  double draw_scale_bar(detail::Svg& svg, double x, double y, double scale, double room) const {
-    const double length = detail::Ticks::between(0, room, 3).step;
-    const double end = x + scale * length;
+  double draw_scale_bar(detail::Svg& svg, double x, double y, const Frame& frame) const {
+    const double length = detail::Ticks::between(0, frame.width() / frame.scale, 3).step;
+    const double end = x + frame.scale * length;
     svg.line(x, y, end, y, "#595959", 1.5);
     svg.line(x, y - 4, x, y + 4, "#595959", 1.5);
     svg.line(end, y - 4, end, y + 4, "#595959", 1.5);
