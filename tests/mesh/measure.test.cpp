@@ -51,7 +51,7 @@ TEST_CASE("hexahedron_volume is that of the trilinear map, for any shape and pla
   }
 }
 
-TEST_CASE("volumes are negative inside out; areas are vector areas") {
+TEST_CASE("volumes are negative inside out, areas are vector areas") {
   Mesh cube = box({.size = {1, 1, 1}});
   auto& c = cube.hexahedra[0];
   std::swap(c[1], c[3]);

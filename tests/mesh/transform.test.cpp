@@ -12,7 +12,7 @@
 
 using namespace strike;
 
-TEST_CASE("motions keep volume and orientation; scaling multiplies it") {
+TEST_CASE("motions keep volume and orientation, scaling multiplies it") {
   const Mesh bar = cylinder({.radius = 1, .length = 3, .cells = 2, .layers = 2});
   const double V = volume(bar);
   CHECK(volume(translated(bar, {1, 2, 3})) == Approx(V).epsilon(1e-13));

@@ -67,7 +67,7 @@ TEST_CASE("chart: logarithmic marks are plain over few decades, powers of ten ov
   CHECK(many.svg().find(">10\u2070<") != std::string::npos);
 }
 
-TEST_CASE("chart: a value that is no number is a gap; a constant and a single point have room") {
+TEST_CASE("chart: a value that is no number is a gap, a constant and a single point have room") {
   Chart chart{{}};
   chart.curve("gap", std::vector<double>{0, 1, 2, 3},
               std::vector<double>{1, std::numeric_limits<double>::quiet_NaN(), 1, 1});
@@ -80,7 +80,7 @@ TEST_CASE("chart: a value that is no number is a gap; a constant and a single po
   CHECK(well_formed(single.svg()));
 }
 
-TEST_CASE("chart: references and points are drawn and named; a long history stays small") {
+TEST_CASE("chart: references and points are drawn and named, a long history stays small") {
   const ScratchFolder folder("chart");
   std::vector<double> t, y;
   for (int i = 0; i < 100'000; ++i) {

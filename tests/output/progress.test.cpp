@@ -24,7 +24,7 @@ std::string content_of(std::FILE* file) {
 }
 }  // namespace
 
-TEST_CASE("progress: percent, time, step, error; the last line at the end, and then a new line") {
+TEST_CASE("progress: percent, time, step, error, and the last line at the end, and then a new line") {
   const TemporaryFile file(std::tmpfile());
   {
     Progress progress{{.end = 80, .unit = "us", .show = Show::always, .stream = file.get()}};
