@@ -140,6 +140,7 @@ class RunningPart {
           throw Error(detail::joined({"strike: ", name(b * width + l), " at ", place(nodes, b * width + l),
                                       " has no positive mass; its corners are in the wrong order or coincide."}));
         for (std::size_t i = 0; i < n; ++i) nodes.mass(blocks_[b].nodes[i][l]) += lane(mass, l);
+        mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
       }
     }
   }
@@ -190,6 +191,16 @@ class RunningPart {
       return material_.notice();
     else
       return {};
+  }
+  /// The internal energy that a material has before anything deforms it, such as that of a gas under pressure.
+  double stored_energy() const {
+    typename M::template State<double> state{};
+    if constexpr (requires { state.internal_energy; }) {
+      if constexpr (requires { material_.begin(state); }) material_.begin(state);
+      return mass_ / material_.density() * state.internal_energy;
+    } else {
+      return 0;
+    }
   }
   std::size_t size() const { return size_; }
   const E& element() const { return element_; }
@@ -284,6 +295,7 @@ class RunningPart {
   M material_;
   std::size_t size_;
   std::size_t number_;
+  double mass_ = 0;
   std::vector<Block> blocks_;
 };
 
