@@ -305,7 +305,7 @@ Pack<T, N> log(const Pack<T, N>& x) {
   return y;
 }
 
-/// x^y for every x and y, to 1.3 ulp (float 1.7), with the special values of C (ISO C, F.10.4.4): pow(x, 0) = 1 and
+/// x^y for every x and y, to 1.5 ulp (float 1.7), with the special values of C (ISO C, F.10.4.4): pow(x, 0) = 1 and
 /// pow(1, y) = 1 even for NaN, pow(0, y > 0) = 0, pow(0, y < 0) = inf; x < 0 needs a whole y, else NaN.
 template <class T, std::size_t N>
 Pack<T, N> pow(const Pack<T, N>& x, const std::type_identity_t<Pack<T, N>>& y) {
