@@ -2,6 +2,9 @@
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/element.hpp>
 #include <strike/element/hex8.hpp>
+#include <strike/element/hex8_full.hpp>
 #include <strike/element/hex8_modes.hpp>
+#include <strike/element/hex8_points.hpp>
 #include <strike/element/hourglass.hpp>
+#include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>

@@ -4,8 +4,8 @@
 namespace strike {
 
 /// Shock viscosity of von Neumann and Richtmyer (1950) with Landshoff's linear term (1955), in compression only:
-///   q = rho l |tr D| (C0^2 l |tr D| + C1 c) = rho c^2 s (C0^2 s + C1),   s = |tr D| l/c,
-/// with the compression s in the time l/c in which a wave crosses the element.
+///   q = rho l |tr D| (C0^2 l |tr D| + C1 c) = rho c^2 s (C0^2 s + C1),   s = |tr D| tau,   tau = l/c,
+/// with the compression s in the time tau in which a wave crosses the element.
 struct BulkViscosity {
   double quadratic = 1.5;  ///< C0
   double linear = 0.06;    ///< C1
@@ -15,21 +15,43 @@ struct BulkViscosity {
     T pressure{};  ///< q of the last step: the balance of energy needs the mean over a step
   };
 
-  /// q, positive in compression.
+  /// q, positive in compression; rate = tr D.
   template <class T>
-  T pressure(const T& wave_modulus, const T& s) const {
+  T pressure(const T& wave_modulus, const T& tau, const T& rate) const {
+    const T s = max(T(0.0), -rate) * tau;
     return wave_modulus * s * (quadratic * quadratic * s + linear);
   }
   /// dq/d|tr D| [stress time], the coefficient of viscosity that the stable step must know.
   template <class T>
-  T coefficient(const T& wave_modulus, const T& crossing_time, const T& s) const {
-    return wave_modulus * crossing_time * (2.0 * quadratic * quadratic * s + linear);
+  T coefficient(const T& wave_modulus, const T& tau, const T& rate) const {
+    const T s = max(T(0.0), -rate) * tau;
+    return wave_modulus * tau * (2.0 * quadratic * quadratic * s + linear);
+  }
+  /// What a step to the pressure q dissipates while it changes the volume by dV.
+  template <class T>
+  T work(State<T>& state, const T& q, const T& dV) const {
+    const T mean = 0.5 * (state.pressure + q);
+    state.pressure = q;
+    return -mean * dV;
   }
 };
 
 struct NoBulkViscosity {
   template <class T>
   struct State {};
+
+  template <class T>
+  T pressure(const T&, const T&, const T&) const {
+    return T(0.0);
+  }
+  template <class T>
+  T coefficient(const T&, const T&, const T&) const {
+    return T(0.0);
+  }
+  template <class T>
+  T work(State<T>&, const T&, const T&) const {
+    return T(0.0);
+  }
 };
 
 }  // namespace strike

@@ -1,9 +1,8 @@
 #pragma once
-#include <limits>
-
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hourglass.hpp>
+#include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
 #include <strike/tensor/rotation.hpp>
 
@@ -80,30 +79,18 @@ struct Hex8 {
     Response<T, 8> response;
     response.volume = V;
 
-    T q = T(0.0);
-    response.bulk_viscosity_work = T(0.0);
-    if constexpr (viscous) {
-      const T wave = material.moduli(state.material, rate).wave();
-      q = bulk_viscosity.pressure(wave, max(T(0.0), -theta) * stability.crossing_time(wave));
-      response.bulk_viscosity_work = -0.5 * (state.viscosity.pressure + q) * dV;
-      state.viscosity.pressure = q;
-      if constexpr (requires { state.material.internal_energy; })
-        state.material.internal_energy += response.bulk_viscosity_work * state.inverse_volume;
-    }
+    const T wave = material.moduli(state.material, rate).wave();
+    const T q = bulk_viscosity.pressure(wave, stability.crossing_time(wave), theta);
+    response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
+    heat(state.material, response.bulk_viscosity_work * state.inverse_volume);
 
-    const SymmetricTensor<T> before = material.stress(state.material);
-    SymmetricTensor<T> sigma = material.stress(state.material, rate, dt);
-    response.internal_work = 0.5 * dt * double_dot(T(V - dV) * before + V * sigma, rate.rate_of_deformation);
+    auto [sigma, work] = advance_point(material, state.material, rate, dt, V, dV);
+    response.internal_work = work;
     sigma += SymmetricTensor<T>::isotropic(-q);
 
     const Moduli<T> moduli = material.moduli(state.material, rate);
-    T zeta = T(0.0);
-    if constexpr (viscous) {
-      const T crossing_time = stability.crossing_time(moduli.wave());
-      zeta = bulk_viscosity.coefficient(moduli.wave(), crossing_time, max(T(0.0), -theta) * crossing_time);
-    }
-    Vibration<T> vibration = stability.vibration(moduli, zeta);
-    if constexpr (requires { material.viscosity(); }) vibration.decay += stability.decay(material.viscosity());
+    const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
+    const Vibration<T> vibration = stability.vibration(material, moduli, zeta);
 
     Hex8Modes<T> F;
     Matrix3<T> P = sigma.matrix();
@@ -151,19 +138,7 @@ struct Hex8 {
     return max(T(0.0), 0.125 * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
   }
 
-  static constexpr bool viscous = !std::same_as<Viscosity, NoBulkViscosity>;
   static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;
-
-  /// What has failed neither pushes nor limits the step, however distorted it is.
-  template <class Flag, class T>
-  static void silence(const Flag& intact, Response<T, 8>& response) {
-    response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();
-    response.volume = select(intact, response.volume, T(1.0));
-    response.stable_step = select(intact, response.stable_step, T(std::numeric_limits<RealOf<T>>::max()));
-    response.internal_work = select(intact, response.internal_work, T(0.0));
-    response.hourglass_work = select(intact, response.hourglass_work, T(0.0));
-    response.bulk_viscosity_work = select(intact, response.bulk_viscosity_work, T(0.0));
-  }
 };
 
 Hex8()->Hex8<>;

@@ -32,14 +32,15 @@ struct Stability {
   /// time step must use the same length, or crushed elements are damped beyond stability.
   T crossing_time(const T& wave_modulus) const { return 1.0 / sqrt(2.0 * eigenvalue * wave_modulus * volume_per_mass); }
 
-  /// Of a material with these moduli and the coefficient of bulk viscosity zeta.
-  Vibration<T> vibration(const Moduli<T>& moduli, const T& zeta) const {
-    const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear);
-    return {8.0 * volume_per_mass * (lambda * trace + 2.0 * moduli.shear * eigenvalue),
-            8.0 * volume_per_mass * (zeta * trace)};
+  /// Of a material with these moduli and a bulk viscosity of the coefficient zeta [stress time].
+  template <class M>
+  Vibration<T> vibration(const M& material, const Moduli<T>& moduli, const T& zeta) const {
+    const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear), w = 8.0 * volume_per_mass;
+    Vibration<T> vibration{w * (lambda * trace + 2.0 * moduli.shear * eigenvalue), w * (zeta * trace)};
+    if constexpr (requires { material.viscosity(); })
+      vibration.decay += w * ((2.0 * material.viscosity()) * eigenvalue);
+    return vibration;
   }
-  /// The decay that a Newtonian viscosity adds.
-  T decay(double viscosity) const { return (16.0 * viscosity) * eigenvalue * volume_per_mass; }
 };
 
 /// One over the largest stable step of an element with hourglass control, from the vibration by its mean gradient b,

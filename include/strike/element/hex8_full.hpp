@@ -1,0 +1,150 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include <strike/element/bulk_viscosity.hpp>
+#include <strike/element/hex8_points.hpp>
+#include <strike/element/solid_point.hpp>
+#include <strike/element/stable_step.hpp>
+#include <strike/tensor/rotation.hpp>
+
+namespace strike {
+
+/// The eight-node hexahedron with 2 x 2 x 2 points, selectively reduced so that it does not lock (Hughes 1980): the
+/// change of volume is the mean over the element, the change of shape that of each point. It has no hourglass modes and
+/// nothing to control: the price of Hex8's control can be read off. Policies: rotation of the stress, bulk viscosity,
+/// and where in the step the motion is measured.
+///   Hex8Full{}   Hex8Full{Jaumann{}, NoBulkViscosity{}}
+template <class Spin = HughesWinget, class Viscosity = BulkViscosity, class Instant = MidStep>
+struct Hex8Full {
+  static_assert(Rotation<Spin>,
+                "strike: the first policy of Hex8Full is the rotation of its tensors: HughesWinget or Jaumann.");
+
+  [[no_unique_address]] Spin rotation{};
+  [[no_unique_address]] Viscosity bulk_viscosity{};
+  [[no_unique_address]] Instant instant{};
+
+  using Kinematics = SolidKinematics;
+  static constexpr int nodes = 8;
+  static constexpr std::size_t points = 8;
+
+  template <class M, class T>
+  struct State {
+    T inverse_volume{};  ///< 1/V0
+    [[no_unique_address]] typename Viscosity::template State<T> viscosity{};
+    std::array<typename M::template State<T>, points> material{};
+
+    template <class F>
+    void each_point(F f) const {
+      for (const auto& point : material) f(point);
+    }
+  };
+
+  template <class M, class T>
+  T begin(State<M, T>& state, const M& material, const Nodal<T, 8>& x) const {
+    if constexpr (requires { material.begin(state.material[0]); })
+      for (auto& point : state.material) material.begin(point);
+    const T V = Hex8Gradient<T>(to_modes<T>(x)).volume;
+    state.inverse_volume = 1.0 / V;
+    return (0.125 * material.density()) * V;
+  }
+
+  template <class M, class T>
+  Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
+                         double dt) const {
+    const Hex8Modes<T> m = to_modes<T>(x), u = to_modes<T>(v);
+    const Hex8Gradient<T> g(m);
+    const T& V = g.volume;
+    const T J = V * state.inverse_volume, compression = 1.0 / J;
+    const T per_volume = compression * state.inverse_volume;  // 1/V
+    const T theta = instant(g.gradient_of(u, per_volume), dt).trace();
+    const T dV = volume_increment<T>(V, dt * theta);
+
+    std::array<Measure<T>, points> measures;
+    Hex8Laplacian<T> laplacian;
+    Moduli<T> moduli{T(0.0), T(0.0)};
+    T least_volume = V, intact_volume = T(0.0);
+    for (std::size_t i = 0; i < points; ++i) {
+      const Hex8Point point(i);
+      Measure<T>& measure = measures[i];
+      measure.map = Hex8Map<T>(point.derivatives(m));
+      const T& V_g = measure.map.volume;
+      const T intact = intact_share<T>(material, state.material[i]);
+      const T inverse = select(intact > 0.0, 1.0 / V_g, T(0.0));
+      const Matrix3<T> L = instant(measure.map.gradient(point.derivatives(u), inverse), dt);
+      const SymmetricTensor<T> D = symmetric_part(L);
+      measure.rate = {D + SymmetricTensor<T>::isotropic((1.0 / 3.0) * (theta - trace(D))), J};
+      measure.spin = axial_vector(L);
+      measure.dV = volume_increment<T>(V_g, dt * trace(D));
+
+      laplacian.add(point, measure.map, inverse);
+      moduli = larger(moduli, material.moduli(state.material[i], measure.rate));
+      least_volume = select(intact > 0.0 && !(V_g > least_volume), V_g, least_volume);
+      intact_volume += select(intact > 0.0, V_g, T(0.0));
+    }
+    const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
+    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / material.density()) * J};
+
+    Response<T, 8> response;
+    response.volume = select(least_volume > 0.0, V, least_volume);
+    response.hourglass_work = T(0.0);
+
+    T q = bulk_viscosity.pressure(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
+    if constexpr (requires { material.intact(state.material[0]); })
+      q = select(intact_volume > 0.0, q * (intact_volume * per_volume), T(0.0));
+    response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
+
+    // f_I = sum of the points' V_g s_g grad N_I, and the mean pressure on the mean gradient.
+    const Vector3<T> zero = Vector3<T>::Zero();
+    Hex8Modes<T> F{zero, zero, zero, zero, zero, zero, zero};
+    T tension = T(0.0);
+    T intact = T(0.0);
+    response.internal_work = T(0.0);
+    for (std::size_t i = 0; i < points; ++i) {
+      const auto& [map, rate, spin, dV_g] = measures[i];
+      auto& point_state = state.material[i];
+      turn_tensors(rotation.turn(Vector3<T>(T(dt) * spin)), point_state);
+      heat(point_state, response.bulk_viscosity_work * state.inverse_volume);
+      const auto [sigma, work] = advance_point(material, point_state, rate, dt, map.volume, dV_g);
+      response.internal_work += work;
+      tension += (1.0 / 3.0) * map.volume * trace(sigma);
+      Hex8Point(i).add_forces<T>(deviator(sigma).matrix().lazyProduct(map.cofactors), F);
+      moduli = larger(moduli, material.moduli(point_state, rate));
+      intact = max(intact, intact_share<T>(material, point_state));
+    }
+    const T P = T(1.0 / 64.0) * (tension * per_volume - q);
+    F.a1 += P * g.a1, F.a2 += P * g.a2, F.a3 += P * g.a3;
+    F.b1 += P * g.b1, F.b2 += P * g.b2, F.b3 += P * g.b3;
+    response.force = to_nodes(F);
+
+    const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
+    response.stable_step = 1.0 / stability.vibration(material, moduli, zeta).critical_rate();
+    if constexpr (requires { material.intact(state.material[0]); }) silence(intact > 0.0, response);
+    return response;
+  }
+
+ private:
+  /// What a point measures of a step.
+  template <class T>
+  struct Measure {
+    Hex8Map<T> map;
+    SolidKinematics::Rate<T> rate;
+    Vector3<T> spin;
+    T dV;
+  };
+
+  template <class T>
+  static Moduli<T> larger(const Moduli<T>& a, const Moduli<T>& b) {
+    return {max(a.bulk, b.bulk), max(a.shear, b.shear)};
+  }
+};
+
+Hex8Full()->Hex8Full<>;
+template <class R>
+Hex8Full(R) -> Hex8Full<R>;
+template <class R, class V>
+Hex8Full(R, V) -> Hex8Full<R, V>;
+template <class R, class V, class I>
+Hex8Full(R, V, I) -> Hex8Full<R, V, I>;
+
+}  // namespace strike

@@ -1,0 +1,53 @@
+#pragma once
+#include <limits>
+
+#include <strike/element/element.hpp>
+
+namespace strike {
+
+/// What a point of a solid element gives for a step.
+template <class T>
+struct PointResponse {
+  SymmetricTensor<T> stress;  ///< Cauchy, at the end of the step
+  T work;                     ///< done on the point, by the mean of its stresses before and after the step
+};
+
+/// Advances the material at a point of an element, its tensors already turned, over the step dt that changed the
+/// point's volume by dV to V.
+template <class M, class State, class T>
+PointResponse<T> advance_point(const M& material, State& state, const SolidKinematics::Rate<T>& rate, double dt,
+                               const T& V, const T& dV) {
+  SymmetricTensor<T> before = material.stress(state);
+  const SymmetricTensor<T> sigma = material.stress(state, rate, dt);
+  if constexpr (requires { material.viscosity(); })  // what a material does not remember was the same before the step
+    before += sigma - material.stress(state);
+  return {sigma, 0.5 * dt * double_dot(T(V - dV) * before + V * sigma, rate.rate_of_deformation)};
+}
+
+/// 1, or 0 where the material has failed.
+template <class T, class M, class State>
+T intact_share(const M& material, const State& state) {
+  if constexpr (requires { material.intact(state); })
+    return material.intact(state);
+  else
+    return (void)material, (void)state, T(1.0);
+}
+
+/// Gives heat per reference volume to a material that knows its energy.
+template <class State, class T>
+void heat(State& state, const T& energy) {
+  if constexpr (requires { state.internal_energy; }) state.internal_energy += energy;
+}
+
+/// What has failed neither pushes nor limits the step, however distorted it is.
+template <class Flag, class T, int n>
+void silence(const Flag& intact, Response<T, n>& response) {
+  response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();
+  response.volume = select(intact, response.volume, T(1.0));
+  response.stable_step = select(intact, response.stable_step, T(std::numeric_limits<RealOf<T>>::max()));
+  response.internal_work = select(intact, response.internal_work, T(0.0));
+  response.hourglass_work = select(intact, response.hourglass_work, T(0.0));
+  response.bulk_viscosity_work = select(intact, response.bulk_viscosity_work, T(0.0));
+}
+
+}  // namespace strike
