@@ -283,26 +283,20 @@ using PackMath = RegisterMath<T, Pack<T, N>::width>;
 /// The real cube root of every number, to 1.6 ulp. cbrt(-x) = -cbrt(x); +-0, +-inf and NaN give themselves.
 template <class T, std::size_t N>
 Pack<T, N> cbrt(const Pack<T, N>& x) {
-  Pack<T, N> y;
-  for (std::size_t k = 0; k < x.registers; ++k) y.native(k) = detail::PackMath<T, N>::cbrt(x.native(k));
-  return y;
+  return detail::by_register<Pack<T, N>>([&](std::size_t k) { return detail::PackMath<T, N>::cbrt(x.native(k)); });
 }
 
 /// e^x for every x, to 1.1 ulp. Above 709.8 (float: 88.7) inf, below -745.1 (-104) 0, in between denormal from -708.4
 /// (-87.3).
 template <class T, std::size_t N>
 Pack<T, N> exp(const Pack<T, N>& x) {
-  Pack<T, N> y;
-  for (std::size_t k = 0; k < x.registers; ++k) y.native(k) = detail::PackMath<T, N>::exp(x.native(k));
-  return y;
+  return detail::by_register<Pack<T, N>>([&](std::size_t k) { return detail::PackMath<T, N>::exp(x.native(k)); });
 }
 
 /// The natural logarithm of every x > 0, to 0.9 ulp. log(+-0) = -inf, log(inf) = inf, NaN for x < 0.
 template <class T, std::size_t N>
 Pack<T, N> log(const Pack<T, N>& x) {
-  Pack<T, N> y;
-  for (std::size_t k = 0; k < x.registers; ++k) y.native(k) = detail::PackMath<T, N>::log(x.native(k));
-  return y;
+  return detail::by_register<Pack<T, N>>([&](std::size_t k) { return detail::PackMath<T, N>::log(x.native(k)); });
 }
 
 /// x^y for every x and y, to 1.5 ulp (float 1.7), with the special values of C (ISO C, F.10.4.4): pow(x, 0) = 1 and
@@ -310,10 +304,8 @@ Pack<T, N> log(const Pack<T, N>& x) {
 template <class T, std::size_t N>
 Pack<T, N> pow(const Pack<T, N>& x, const std::type_identity_t<Pack<T, N>>& y) {
   using Math = detail::PackMath<T, N>;
-  Pack<T, N> z;
-  for (std::size_t k = 0; k < x.registers; ++k)
-    z.native(k) = Math::pow(x.native(k), typename Math::Exponent(y.native(k)));
-  return z;
+  return detail::by_register<Pack<T, N>>(
+      [&](std::size_t k) { return Math::pow(x.native(k), typename Math::Exponent(y.native(k))); });
 }
 template <class T, std::size_t N, class Number>
 requires std::is_arithmetic_v<Number> Pack<T, N> pow(Number x, const Pack<T, N>& y) { return pow(Pack<T, N>(x), y); }

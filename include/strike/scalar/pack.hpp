@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -30,6 +31,17 @@ struct Register {
 
 template <class T>
 using SignedOf = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+
+/// f(k) in every register k. Unrolled by the language, because a loop would keep the registers in memory.
+template <class Result, class F>
+constexpr Result by_register(F f) {
+  return [&]<std::size_t... k>(std::index_sequence<k...>) {
+    Result r;
+    ((r.native(k) = f(k)), ...);
+    return r;
+  }
+  (std::make_index_sequence<Result::registers>{});
+}
 
 }  // namespace detail
 
@@ -57,17 +69,16 @@ class Pack {
   Pack() = default;
   template <class U>
   requires std::is_arithmetic_v<U>
-  constexpr Pack(U value) : r_{} {  // implicit: literals stand in formulas
-    for (auto& r : r_) r = Register{} + static_cast<T>(value);
-  }
+  constexpr Pack(U value)  // implicit: literals stand in formulas
+      : Pack(detail::by_register<Pack>([&](std::size_t) { return Register{} + static_cast<T>(value); })) {}
 
   static constexpr std::size_t size() { return N; }
   T operator[](std::size_t lane) const { return r_[lane / width][lane % width]; }
   void set(std::size_t lane, T value) { r_[lane / width][lane % width] = value; }
 
   /// The k-th register: for code that moves data, not for formulas.
-  Register& native(std::size_t k) { return r_[k]; }
-  const Register& native(std::size_t k) const { return r_[k]; }
+  constexpr Register& native(std::size_t k) { return r_[k]; }
+  constexpr const Register& native(std::size_t k) const { return r_[k]; }
 
   /// f(lane) in every lane.
   template <class F>
@@ -78,29 +89,19 @@ class Pack {
   }
 
   friend Pack operator+(const Pack& a, const Pack& b) {
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] + b.r_[k];
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) { return a.r_[k] + b.r_[k]; });
   }
   friend Pack operator-(const Pack& a, const Pack& b) {
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] - b.r_[k];
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) { return a.r_[k] - b.r_[k]; });
   }
   friend Pack operator*(const Pack& a, const Pack& b) {
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] * b.r_[k];
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) { return a.r_[k] * b.r_[k]; });
   }
   friend Pack operator/(const Pack& a, const Pack& b) {
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] / b.r_[k];
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) { return a.r_[k] / b.r_[k]; });
   }
   friend Pack operator-(const Pack& a) {
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = -a.r_[k];
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) { return -a.r_[k]; });
   }
   friend Pack operator+(const Pack& a) { return a; }
   Pack& operator+=(const Pack& b) { return *this = *this + b; }
@@ -109,42 +110,31 @@ class Pack {
   Pack& operator/=(const Pack& b) { return *this = *this / b; }
 
   friend Mask<T, N> operator<(const Pack& a, const Pack& b) {
-    Mask<T, N> m;
-    for (std::size_t k = 0; k < registers; ++k) m.native(k) = a.r_[k] < b.r_[k];
-    return m;
+    return detail::by_register<Mask<T, N>>([&](std::size_t k) { return a.r_[k] < b.r_[k]; });
   }
   friend Mask<T, N> operator<=(const Pack& a, const Pack& b) {
-    Mask<T, N> m;
-    for (std::size_t k = 0; k < registers; ++k) m.native(k) = a.r_[k] <= b.r_[k];
-    return m;
+    return detail::by_register<Mask<T, N>>([&](std::size_t k) { return a.r_[k] <= b.r_[k]; });
   }
   friend Mask<T, N> operator==(const Pack& a, const Pack& b) {
-    Mask<T, N> m;
-    for (std::size_t k = 0; k < registers; ++k) m.native(k) = a.r_[k] == b.r_[k];
-    return m;
+    return detail::by_register<Mask<T, N>>([&](std::size_t k) { return a.r_[k] == b.r_[k]; });
   }
   friend Mask<T, N> operator>(const Pack& a, const Pack& b) { return b < a; }
   friend Mask<T, N> operator>=(const Pack& a, const Pack& b) { return b <= a; }
   friend Mask<T, N> operator!=(const Pack& a, const Pack& b) { return !(a == b); }
 
   friend Pack select(const Mask<T, N>& m, const Pack& then, const Pack& otherwise) {
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = m.native(k) ? then.r_[k] : otherwise.r_[k];
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) { return m.native(k) ? then.r_[k] : otherwise.r_[k]; });
   }
   friend Pack min(const Pack& a, const Pack& b) { return select(b < a, b, a); }
   friend Pack max(const Pack& a, const Pack& b) { return select(a < b, b, a); }
   friend Pack abs(const Pack& a) {
     constexpr auto sign = std::numeric_limits<detail::SignedOf<T>>::min();
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k)
-      c.r_[k] = std::bit_cast<Register>(std::bit_cast<typename Mask<T, N>::Register>(a.r_[k]) & ~sign);
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) {
+      return std::bit_cast<Register>(std::bit_cast<typename Mask<T, N>::Register>(a.r_[k]) & ~sign);
+    });
   }
   friend Pack sqrt(const Pack& a) {
-    Pack c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = root(a.r_[k]);
-    return c;
+    return detail::by_register<Pack>([&](std::size_t k) { return root(a.r_[k]); });
   }
   friend T reduce_sum(const Pack& a) {
     T s = a[0];
@@ -198,39 +188,34 @@ class Pack {
 template <class T, std::size_t N>
 class Mask {
   using Flag = detail::SignedOf<T>;
-  static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
-  static constexpr std::size_t registers = N / width;
 
  public:
+  static constexpr std::size_t width = Pack<T, N>::width;
+  static constexpr std::size_t registers = Pack<T, N>::registers;
   using Register = typename detail::Register<Flag, width>::type;
 
   Mask() = default;
-  Mask(bool value) {  // implicit: `select(true, a, b)` is a formula too
-    for (auto& r : r_) r = Register{} - static_cast<Flag>(value);
-  }
+  constexpr Mask(bool value)  // implicit: `select(true, a, b)` is a formula too
+      : Mask(detail::by_register<Mask>([&](std::size_t) { return Register{} - static_cast<Flag>(value); })) {}
   bool operator[](std::size_t lane) const { return r_[lane / width][lane % width] != 0; }
-  Register& native(std::size_t k) { return r_[k]; }
-  const Register& native(std::size_t k) const { return r_[k]; }
+  constexpr Register& native(std::size_t k) { return r_[k]; }
+  constexpr const Register& native(std::size_t k) const { return r_[k]; }
 
   friend Mask operator&&(const Mask& a, const Mask& b) {
-    Mask c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] & b.r_[k];
-    return c;
+    return detail::by_register<Mask>([&](std::size_t k) { return a.r_[k] & b.r_[k]; });
   }
   friend Mask operator||(const Mask& a, const Mask& b) {
-    Mask c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = a.r_[k] | b.r_[k];
-    return c;
+    return detail::by_register<Mask>([&](std::size_t k) { return a.r_[k] | b.r_[k]; });
   }
   friend Mask operator!(const Mask& a) {
-    Mask c;
-    for (std::size_t k = 0; k < registers; ++k) c.r_[k] = ~a.r_[k];
-    return c;
+    return detail::by_register<Mask>([&](std::size_t k) { return ~a.r_[k]; });
   }
   friend bool any(const Mask& a) {
-    Flag f = 0;
-    for (std::size_t i = 0; i < N; ++i) f |= a.r_[i / width][i % width];
-    return f != 0;
+    Register one = a.r_[0];
+    for (std::size_t k = 1; k < registers; ++k) one |= a.r_[k];
+    Flag flag = 0;
+    for (std::size_t i = 0; i < width; ++i) flag |= one[i];
+    return flag != 0;
   }
   friend bool all(const Mask& a) { return !any(!a); }
 
