@@ -2,3 +2,4 @@
 // Drivers with which a law is verified before it meets a mesh.
 #include <strike/verify/material_point.hpp>
 #include <strike/verify/path.hpp>
+#include <strike/verify/single_element.hpp>

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,7 @@
 
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
+#include <strike/output/history.hpp>
 
 namespace strike {
 
@@ -71,8 +74,8 @@ struct ElementVibration {
 
 /// One element whose nodes move as told: for verifying an element, or a material in an element.
 ///   SingleElement cube{Hex8{}, copper, unit_cube()};
-///   const auto history = cube.drive(motion::homogeneous(L), dt, 100);
-///   history.back().stress.xy
+///   const auto history = cube.run(motion::homogeneous(L), dt, 100);
+///   write("shear.csv", history);
 template <class E, class M>
 class SingleElement {
  public:
@@ -86,7 +89,7 @@ class SingleElement {
     record_.x = X;
     mass_ = element_.begin(state_, material_, X);
     if (!(mass_ > 0))
-      throw Error("strike: the single element has no positive mass; its corners are in the wrong order or coincide.");
+      throw Error("The single element has no positive mass; its corners are in the wrong order or coincide.");
     const auto response = element_.advance(state_, material_, X, Vectors::Zero().eval(), 0.0);
     record_.stress = mean_stress();
     record_.force = response.force;
@@ -110,10 +113,10 @@ class SingleElement {
     return record_;
   }
 
-  /// Takes steps with the nodes at the velocities `motion(x, t)`, a column per node, of the middle of each step: so a
-  /// rotation is one. Returns where it began and what stood after each step.
+  /// Takes steps of dt with the nodes at the velocities motion(x, t), a column per node, of the middle of each step: so
+  /// a rotation is one. Returns the record of every step, the present one first.
   template <class Motion>
-  std::vector<Record> drive(const Motion& motion, double dt, std::size_t steps) {
+  std::vector<Record> run(const Motion& motion, double dt, std::size_t steps) {
     std::vector<Record> history{record_};
     for (std::size_t i = 0; i < steps; ++i) {
       Vectors v = motion(record_.x, record_.time + 0.5 * dt);
@@ -177,6 +180,30 @@ class SingleElement {
   double mass_ = 0;
   Record record_;
 };
+
+/// Writes the records as CSV: time, Cauchy stress, volume, stable step, energies, and the force on each node.
+template <class E>
+void write(const std::string& path, const std::vector<ElementRecord<E>>& history) {
+  std::vector<Column> columns{{"time"}};
+  for (const char* component : {"xx", "yy", "zz", "xy", "yz", "zx"})
+    columns.push_back({detail::joined({"stress ", component})});
+  for (const char* quantity :
+       {"volume", "stable step", "internal energy", "hourglass energy", "bulk viscosity energy", "external energy"})
+    columns.push_back({quantity});
+  for (int i = 0; i < E::nodes; ++i)
+    for (const char* axis : {" x", " y", " z"})
+      columns.push_back({detail::joined({"force ", std::to_string(i), axis})});
+
+  History file(path, columns);
+  for (const ElementRecord<E>& r : history) {
+    const SymmetricTensor<double>& s = r.stress;
+    std::vector<double> row{r.time, s.xx,     s.yy,          s.zz,       s.xy,       s.yz,
+                            s.zx,   r.volume, r.stable_step, r.internal, r.hourglass};
+    row.insert(row.end(), {r.bulk_viscosity, r.external});
+    row.insert(row.end(), r.force.data(), r.force.data() + r.force.size());
+    file.row(row);
+  }
+}
 
 /// Velocities of the nodes of a SingleElement: functions of their positions, a column per node, and the time.
 namespace motion {
