@@ -5,3 +5,4 @@
 #include <strike/dynamics/ledger.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/scene.hpp>
+#include <strike/dynamics/stop_when.hpp>

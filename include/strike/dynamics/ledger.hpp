@@ -21,8 +21,10 @@ struct Energy {
   double held() const { return kinetic + internal + hourglass + bulk_viscosity + contact + friction + eroded; }
   /// The largest of the energies that must balance: the scale of the error.
   double scale() const { return std::max({initial, std::abs(kinetic), std::abs(internal), std::abs(external)}); }
-  /// Relative error of the balance.
-  double error() const { return scale() > 0 ? (held() - initial - external) / scale() : 0.0; }
+  /// What the balance is off by.
+  double imbalance() const { return held() - initial - external; }
+  /// The same relative to the scale.
+  double error() const { return scale() > 0 ? imbalance() / scale() : 0.0; }
 };
 
 /// One kind of work on its way into the balance.

@@ -1,0 +1,28 @@
+#pragma once
+#include <utility>
+
+namespace strike {
+
+/// An observer that ends a run early: `run.until(1.0, StopWhen{[&] { return run.energy().kinetic < 1e-3; }})`. The
+/// condition is asked after each step, as `condition()` or `condition(run)`.
+template <class Condition>
+class StopWhen {
+ public:
+  explicit StopWhen(Condition condition) : condition_(std::move(condition)) {}
+
+  template <class Run>
+  void operator()(const Run& run) {
+    if constexpr (requires { condition_(run); })
+      met_ = condition_(run);
+    else
+      met_ = condition_();
+  }
+  /// Whether the run should end.
+  bool stops() const { return met_; }
+
+ private:
+  Condition condition_;
+  bool met_ = false;
+};
+
+}  // namespace strike
