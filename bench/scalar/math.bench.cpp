@@ -29,7 +29,7 @@ struct Pow {  // Johnson-Cook's hardening
   template <class T>
   static T of(const T& x) {
     using std::pow;
-    return pow(x, T(0.26));
+    return pow(x, 0.26);
   }
 };
 struct Cbrt {

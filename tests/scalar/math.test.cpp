@@ -175,6 +175,11 @@ TEST_CASE("pow takes literals on either side") {
   CHECK(all(pow(P(3), 2) == P(9)));
   CHECK(all(pow(3, P(2)) == P(9)));
   CHECK(all(pow(3.0, P(2)) == P(9)));
+  const P x = P::generate([](std::size_t lane) { return double(lane) - 3; });
+  for (const double y : {0., 0.3, 1., -2., 3.}) {
+    const P by_number = pow(x, y), by_pack = pow(x, P(y));
+    CHECK(all(by_number == by_pack || (by_number != by_number && by_pack != by_pack)));
+  }
 }
 
 TEMPLATE_TEST_CASE("A function of one lane does not depend on the others", "", Doubles8, Floats16) {
