@@ -1,0 +1,83 @@
+#pragma once
+#include <cstddef>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <strike/dynamics/explicit.hpp>
+
+namespace trade {
+
+using namespace strike;
+
+/// What a run found and what it took.
+struct Outcome {
+  double error;    ///< relative, against the reference of its problem
+  double seconds;  ///< of CPU, without the set-up
+  std::size_t steps, elements;
+};
+
+/// How a policy runs a problem beside the element and the number: on which of its meshes, and how the driver is told.
+struct Setting {
+  std::size_t mesh;
+  ExplicitOptions options;
+};
+
+/// A policy on a problem.
+struct Case {
+  std::string policy;
+  std::function<Outcome(std::size_t mesh)> run;
+};
+
+/// A scene whose answer is known, and the policies that are tried on it.
+struct Problem {
+  std::string name, title;
+  std::string error;                ///< what is compared with which reference
+  double uncertainty = 0;           ///< of the reference
+  std::vector<std::string> meshes;  ///< from coarse to fine
+  std::vector<Case> cases = {};
+};
+
+/// Collects the policies of a problem, whose scene is `Outcome run(element, number, setting)`.
+template <class Run>
+class Cases {
+ public:
+  Cases(Problem& problem, Run run) : problem_(problem), run_(run) {}
+
+  template <class Element, class T = Pack<double>>
+  void add(std::string policy, const Element& element, In<T> number = {}, ExplicitOptions options = {}) {
+    problem_.cases.push_back({std::move(policy), [run = run_, element, number, options](std::size_t mesh) -> Outcome {
+                                return run(element, number, Setting{mesh, options});
+                              }});
+  }
+
+ private:
+  Problem& problem_;
+  Run run_;
+};
+
+/// A problem with groups of policies, see policies.hpp.
+template <class Run, class... Groups>
+Problem problem(Problem about, Run run, Groups... groups) {
+  Cases<Run> cases(about, run);
+  (groups(cases), ...);
+  return about;
+}
+
+/// What an action takes [s of CPU].
+template <class Action>
+double cpu_seconds(Action action) {
+  const std::clock_t begin = std::clock();
+  action();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+// The problems, each with its file.
+Problem taylor();
+Problem beam();
+Problem waves();
+Problem spin();
+
+}  // namespace trade

@@ -1,0 +1,138 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <strike/output/chart.hpp>
+#include <strike/output/file.hpp>
+#include <strike/text.hpp>
+
+#include "problem.hpp"
+
+namespace trade {
+
+/// A run of a case on a mesh. If it was given up, the error is infinite and `failure` says why.
+struct Run {
+  Outcome outcome;
+  std::string failure;
+  bool on_front = false;  ///< no other run is both quicker and more accurate
+
+  double nanoseconds() const { return 1e9 * outcome.seconds / static_cast<double>(outcome.steps * outcome.elements); }
+};
+
+/// A problem and its runs, runs[i][k] of case i on mesh k.
+struct Study {
+  Problem problem;
+  std::vector<std::vector<Run>> runs;
+};
+
+/// Marks the Pareto front and returns it, the quickest run first.
+inline std::vector<const Run*> mark_front(Study& study) {
+  std::vector<Run*> all;
+  for (auto& policy : study.runs)
+    for (Run& run : policy)
+      if (run.failure.empty()) all.push_back(&run);
+  std::sort(all.begin(), all.end(), [](const Run* a, const Run* b) { return a->outcome.seconds < b->outcome.seconds; });
+  std::vector<const Run*> front;
+  for (Run* run : all)
+    if (front.empty() || run->outcome.error < front.back()->outcome.error) run->on_front = true, front.push_back(run);
+  return front;
+}
+
+inline std::string formatted(const char* format, double number) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, number);
+  return text;
+}
+
+/// "0.42 % in 0.63 s", bold on the front.
+inline std::string cell(const Run& run) {
+  if (!run.failure.empty()) return "given up";
+  const std::string text = detail::joined(
+      {formatted("%.2g", 100 * run.outcome.error), " % in ", formatted("%.2g", run.outcome.seconds), " s"});
+  return run.on_front ? detail::joined({"**", text, "**"}) : text;
+}
+
+/// Policies down, meshes across.
+inline std::string markdown(const Study& study) {
+  const std::size_t meshes = study.runs.front().size();
+  std::string text =
+      detail::joined({"### ", study.problem.title, "\n\nError: ", study.problem.error, ".\n\n| policy |"});
+  for (std::size_t k = 0; k < meshes; ++k)
+    text += detail::joined(
+        {" ", study.problem.meshes[k], ", ", std::to_string(study.runs.front()[k].outcome.elements), " hexahedra |"});
+  text += " steps | ns per element and step |\n|---|";
+  for (std::size_t k = 0; k < meshes + 2; ++k) text += "--:|";
+  text += '\n';
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    const Run& finest = study.runs[i].back();
+    text += detail::joined({"| ", study.problem.cases[i].policy, " |"});
+    for (const Run& run : study.runs[i]) text += detail::joined({" ", cell(run), " |"});
+    text += finest.failure.empty() ? detail::joined({" ", std::to_string(finest.outcome.steps), " | ",
+                                                     formatted("%.0f", finest.nanoseconds()), " |\n"})
+                                   : " | |\n";
+  }
+  return text;
+}
+
+/// A line for each run.
+inline std::string csv(const std::vector<Study>& studies) {
+  std::string text = "problem,policy,mesh,elements,error,CPU time [s],steps,ns per element and step,on front,failure\n";
+  for (const Study& study : studies)
+    for (std::size_t i = 0; i < study.runs.size(); ++i)
+      for (std::size_t k = 0; k < study.runs[i].size(); ++k) {
+        const Run& run = study.runs[i][k];
+        const Outcome& o = run.outcome;
+        text += detail::joined({study.problem.name,
+                                ",",
+                                detail::csv_escaped(study.problem.cases[i].policy),
+                                ",",
+                                study.problem.meshes[k],
+                                ",",
+                                std::to_string(o.elements),
+                                ",",
+                                detail::shortest(o.error),
+                                ",",
+                                detail::shortest(o.seconds),
+                                ",",
+                                std::to_string(o.steps),
+                                ",",
+                                detail::shortest(run.nanoseconds()),
+                                ",",
+                                run.on_front ? "1" : "0",
+                                ",",
+                                detail::csv_escaped(run.failure),
+                                "\n"});
+      }
+  return text;
+}
+
+/// Error over CPU time, a curve from coarse to fine for each policy, and the front behind them.
+inline void draw(const Study& study, const std::vector<const Run*>& front, const std::string& path) {
+  Chart chart{{.title = study.problem.title,
+               .caption = detail::joined({"Error: ", study.problem.error, ". Each curve goes from coarse to fine."}),
+               .x = {.label = "CPU time", .unit = "s", .scale = Scale::logarithmic},
+               .y = {.label = "error", .unit = "%", .scale = Scale::logarithmic},
+               .height = 560}};
+  const auto add = [&](const std::string& name, const auto& runs, const Style& style) {
+    std::vector<double> seconds, errors;
+    for (const Run* run : runs) seconds.push_back(run->outcome.seconds), errors.push_back(100 * run->outcome.error);
+    chart.curve(name, seconds, errors, style);
+  };
+  add("Pareto front", front, {.colour = 6, .width = 8});
+  constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond, Marker::cross};
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    std::vector<const Run*> runs;
+    for (const Run& run : study.runs[i]) runs.push_back(&run);
+    add(study.problem.cases[i].policy, runs,
+        {.line = Line::dotted, .marker = markers[i % 5], .colour = static_cast<int>(i % 6), .width = 1});
+  }
+  if (study.problem.uncertainty > 0)
+    chart.reference(100 * study.problem.uncertainty, "as well as the reference is known");
+  chart.write(path);
+}
+
+}  // namespace trade
