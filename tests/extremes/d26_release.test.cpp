@@ -34,7 +34,7 @@ TEST_CASE("D26: released to mu = -.99 and beyond, the spall pressure is held and
   CHECK(-point.now().stress.xx == Approx(water.A(mu) + water.B(mu) * point.now().state.internal_energy).epsilon(1e-12));
 }
 
-TEST_CASE("D26: released with much energy it stays real; the pressure spends energy, the held tension adds some") {
+TEST_CASE("D26: released with much energy it stays real and energy is spent, but for the held tension") {
   for (const double energy : {1e8, 1e10, 1e12}) {
     PolynomialEos hot = water;
     hot.initial_energy = energy;

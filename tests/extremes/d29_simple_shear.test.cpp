@@ -21,7 +21,7 @@ TEST_CASE("D29: tau = sin 10 = -.544021 G, s11 = 1 - cos 10 = 1.839072 G in step
   CHECK(std::abs(point.now().stress.zz) < 1e-12);
 }
 
-TEST_CASE("D29: at gamma = 1, .841471 and .459698; tau passes zero at pi") {
+TEST_CASE("D29: at gamma = 1, .841471 and .459698, and tau passes zero at pi") {
   MaterialPoint point{solid};
   point.run(simple_shear({.strain = 1, .steps = 1100}), [](const auto&) {});
   CHECK(std::abs(point.now().stress.xy - .841471) < 1e-6);

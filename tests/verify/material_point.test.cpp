@@ -55,7 +55,7 @@ TEST_CASE("material point: the tension test of a hardening metal, by strain and 
 
   MaterialPoint by_stress{steel};
   const double target = curve(0.1);
-  by_stress.run({{Segment{.duration = 1, .steps = 50, .stress = {.xx = target, .yy = 0., .zz = 0.}}}});
+  by_stress.run({{Segment{.duration = 1, .steps = 50, .stress = {.xx = target, .yy = 0, .zz = 0}}}});
   CHECK(by_stress.now().stress.xx == Approx(target).epsilon(1e-12));
   CHECK(by_stress.now().strain().xx == Approx(0.1).epsilon(1e-5));  // steps of 2e-3, squared
 }
@@ -77,7 +77,7 @@ TEST_CASE("material point: shear stress prescribed beside a prescribed spin") {
   point.run({{Segment{.duration = 1,
                       .steps = 100,
                       .velocity_gradient = L,
-                      .stress = {.xx = 0., .yy = 0., .zz = 0., .xy = 1e8, .yz = 0., .zx = 0.}}}});
+                      .stress = {.xx = 0, .yy = 0, .zz = 0, .xy = 1e8, .yz = 0, .zx = 0}}}});
   const auto& now = point.now();
   CHECK(now.stress.xy == Approx(1e8).epsilon(1e-12));
   CHECK(std::abs(now.stress.xx) < 1e-13 * K);
@@ -185,7 +185,7 @@ TEST_CASE("material point: a stress beyond the material is one sentence, and the
   MaterialPoint point{soft};
   point.run(uniaxial_stress({.strain = 1e-3}));
   const auto before = point.now();
-  const Path pull{{Segment{.duration = 1, .steps = 10, .stress = {.xx = 2 * Y, .yy = 0., .zz = 0.}}}};
+  const Path pull{{Segment{.duration = 1, .steps = 10, .stress = {.xx = 2 * Y, .yy = 0, .zz = 0}}}};
   CHECK_THROWS_WITH(point.run(pull),
                     ContainsSubstring("prescribed stress xx") && ContainsSubstring("beyond the material, which gives"));
   CHECK(point.now().stress.xx <= Y * (1 + 1e-10));

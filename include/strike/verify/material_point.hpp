@@ -95,8 +95,8 @@ class MaterialPoint {
         const double part = static_cast<double>(i) / static_cast<double>(segment.steps);
         PrescribedStress target = segment.stress;
         for (std::size_t c = 0; c < 6; ++c)
-          if (auto& value = target.*prescribed[c])
-            value = initial_stress.*component[c] + part * (*value - initial_stress.*component[c]);
+          target.*prescribed[c] =
+              initial_stress.*component[c] + part * (target.*prescribed[c] - initial_stress.*component[c]);
         advance(D, axial_vector(segment.velocity_gradient), dt, target);
         D = now_.rate_of_deformation;
         observe(now_);
@@ -113,6 +113,7 @@ class MaterialPoint {
   static constexpr std::array prescribed{&PrescribedStress::xx, &PrescribedStress::yy, &PrescribedStress::zz,
                                          &PrescribedStress::xy, &PrescribedStress::yz, &PrescribedStress::zx};
   static constexpr std::array name{"xx", "yy", "zz", "xy", "yz", "zx"};
+  static bool is_given(double stress) { return !std::isnan(stress); }
 
   /// Where a step with the rate of deformation D and the axial vector w of the spin leads.
   Record<M> answer(const Tensor& D, const Vector3<double>& w, double dt) const {
@@ -136,11 +137,8 @@ class MaterialPoint {
 
   const Record<M>& advance(const Tensor& D, const Vector3<double>& w, double dt, const PrescribedStress& target) {
     Record<M> next = answer(D, w, dt);
-    for (const auto c : prescribed)
-      if (target.*c) {
-        next = reach(target, std::move(next), w, dt);
-        break;
-      }
+    if (std::any_of(prescribed.begin(), prescribed.end(), [&](auto c) { return is_given(target.*c); }))
+      next = reach(target, std::move(next), w, dt);
     if (!(next.relative_volume() > 0))
       throw Error(detail::joined({"Material point at t = ", detail::text(next.time), ": the relative volume becomes ",
                                   detail::text(next.relative_volume()), "; take smaller steps."}));
@@ -155,18 +153,19 @@ class MaterialPoint {
     const double difference = std::sqrt(rounding);  // balances the rounding of the volume and the curvature
 
     double modulus = moduli().wave();
-    for (const auto c : prescribed) modulus = std::max(modulus, std::abs((target.*c).value_or(0.0)));
+    for (const auto c : prescribed)
+      if (is_given(target.*c)) modulus = std::max(modulus, std::abs(target.*c));
     const auto residual = [&](const Record<M>& record) {
       Vector6 r = Vector6::Zero();
       for (std::size_t c = 0; c < 6; ++c)
-        if (const auto& value = target.*prescribed[c]; value && record.stress.*component[c] != *value)
-          r[static_cast<int>(c)] = (record.stress.*component[c] - *value) / modulus;
+        if (is_given(target.*prescribed[c]) && record.stress.*component[c] != target.*prescribed[c])
+          r[static_cast<int>(c)] = (record.stress.*component[c] - target.*prescribed[c]) / modulus;
       return r;
     };
     const auto changed = [&](const Record<M>& record, const Vector6& strain) {
       Tensor D = record.rate_of_deformation;
       for (std::size_t c = 0; c < 6; ++c)
-        if (target.*prescribed[c]) D.*component[c] += strain[static_cast<int>(c)] / dt;
+        if (is_given(target.*prescribed[c])) D.*component[c] += strain[static_cast<int>(c)] / dt;
       return answer(D, w, dt);
     };
 
@@ -194,10 +193,10 @@ class MaterialPoint {
     int worst = 0;
     r.cwiseAbs().maxCoeff(&worst);
     const auto c = static_cast<std::size_t>(worst);
-    throw Error(detail::joined({"Material point at t = ", detail::text(nearest.time), ": the prescribed stress ",
-                                name[c], " = ", detail::text((target.*prescribed[c]).value_or(0.0)),
-                                " is beyond the material, which gives ", detail::text(nearest.stress.*component[c]),
-                                "; lower it or prescribe the strain instead."}));
+    throw Error(
+        detail::joined({"Material point at t = ", detail::text(nearest.time), ": the prescribed stress ", name[c],
+                        " = ", detail::text(target.*prescribed[c]), " is beyond the material, which gives ",
+                        detail::text(nearest.stress.*component[c]), "; lower it or prescribe the strain instead."}));
   }
 
   M material_;

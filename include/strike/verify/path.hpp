@@ -1,10 +1,8 @@
 #pragma once
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <optional>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include <strike/error.hpp>
@@ -13,9 +11,10 @@
 
 namespace strike {
 
-/// The components of the Cauchy stress that are prescribed; the others answer to the motion.
+/// The components of the Cauchy stress that are prescribed. The others are free: they answer to the motion.
 struct PrescribedStress {
-  std::optional<double> xx = {}, yy = {}, zz = {}, xy = {}, yz = {}, zx = {};
+  static constexpr double free = std::numeric_limits<double>::quiet_NaN();
+  double xx = free, yy = free, zz = free, xy = free, yz = free, zx = free;
 };
 
 /// A part of a path in equal steps. The motion follows the velocity gradient; where a stress is prescribed, it runs
@@ -62,7 +61,7 @@ inline Path ramp(const Ramp& ramp, int row, int column, const PrescribedStress& 
 inline Path uniaxial_strain(const Ramp& ramp) { return detail::ramp(ramp, 0, 0); }
 
 /// Strain along x under no other stress than that along x: the tension test.
-inline Path uniaxial_stress(const Ramp& ramp) { return detail::ramp(ramp, 0, 0, {.yy = 0.0, .zz = 0.0}); }
+inline Path uniaxial_stress(const Ramp& ramp) { return detail::ramp(ramp, 0, 0, {.yy = 0, .zz = 0}); }
 
 /// Shear of the planes y = const along x: F = I + gamma x (x) y.
 inline Path simple_shear(const Ramp& ramp) { return detail::ramp(ramp, 0, 1); }

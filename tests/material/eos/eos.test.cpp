@@ -55,7 +55,7 @@ TEST_CASE("EOS: where the cut-off holds the pressure, the energy knows that pres
   CHECK(state.internal_energy == Approx(.01 + .03 - .5 * (.02 - .1) * .2).epsilon(1e-14));
 }
 
-TEST_CASE("EOS: a user's equation needs no derivative; Murnaghan's bulk modulus is K (1 + mu)^n") {
+TEST_CASE("EOS: a user's equation needs no derivative, and Murnaghan's bulk modulus is K (1 + mu)^n") {
   const Murnaghan eos{.density = 1, .K = 3, .n = 4};
   struct {
   } nothing;

@@ -16,7 +16,7 @@ constexpr double p0 = 1e5, heats = 1.4;
 constexpr IdealGas air{.density = 1.2, .gamma = heats, .initial_energy = p0 / (heats - 1)};
 }  // namespace
 
-TEST_CASE("ideal gas: begins at p0; rho c^2 is gamma p") {
+TEST_CASE("ideal gas: begins at p0, and rho c^2 is gamma p") {
   EosState<IdealGas, double> state;
   CHECK(begin_eos(air, state) == Approx(p0).epsilon(1e-15));
   for (const double J : {0.1, 1.0, 10.0}) {

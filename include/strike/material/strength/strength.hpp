@@ -81,14 +81,25 @@ constexpr auto strength_state() {
     return NoPlasticity{};
 }
 
+/// The number without the derivatives that it may have.
+template <class T>
+T constant(const T& x) {
+  return x;
+}
+template <class T, std::size_t N>
+Dual<T, N> constant(const Dual<T, N>& x) {
+  return x.value();
+}
+
 /// The root of a falling f in (0, 1) from the guess x, by steps that a bracket keeps safe. They are Newton's in ln x,
 /// for power laws and logarithms take the root over many decades. `active` marks the lanes that count; f takes and
-/// gives Dual<T, 1>; `tolerance` is in the units of f. The last step always is Newton's, so that a dual root has
-/// derivatives.
+/// gives Dual<T, 1>; `tolerance` is in the units of f. The last step always is Newton's: it alone gives a dual root its
+/// derivatives, those of the implicit function.
 template <class T, class F, class M>
 T falling_root(F f, T x, const M& active, const T& tolerance) {
   T lower = T(0.0), upper = T(1.0);
   for (int i = 0; i < 100; ++i) {
+    x = constant(x);
     const Dual<T, 1> y = f(Dual<T, 1>::variable(x, 0));
     const auto open = active && abs(y.value()) > tolerance;
     lower = select(y.value() >= 0.0, x, lower);
