@@ -17,8 +17,8 @@ struct ExplicitOptions {
   double step_factor = 0.9;                                       ///< of the stable step
   double step_growth = 1.05;                                      ///< largest ratio of a step to the one before
   double largest_step = std::numeric_limits<double>::infinity();  ///< [time]
-  double smallest_step = 0;                                       ///< the run is given up below it [time]
-  double energy_tolerance = 0.05;                                 ///< the run is given up if the balance is off by more
+  double smallest_step = 0;        ///< the run is given up below it; 0: below a millionth of the first [time]
+  double energy_tolerance = 0.05;  ///< the run is given up if the balance is off by more
 };
 
 /// Chooses the number in the formulas of a run: `Explicit run{scene, options, in<Pack<float>>}`.
@@ -177,10 +177,11 @@ class Explicit {
   void choose_step() {
     const double before = step_.dt;
     double dt = std::min(options_.step_factor * stable_.dt, options_.largest_step);
+    if (step_.number == 0) smallest_step_ = options_.smallest_step > 0 ? options_.smallest_step : 1e-6 * dt;
+    if (!(dt > smallest_step_))
+      stop(detail::joined({"the time step has fallen to ", detail::text(dt), " because of ", culprit(),
+                           "; refine the mesh there, let the material fail, or allow it by `.smallest_step`"}));
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
-    if (!(dt > options_.smallest_step))
-      stop(detail::joined({"the time step has fallen to ", detail::text(dt), " because of element ",
-                           std::to_string(stable_.element), " of part ", std::to_string(stable_.part)}));
     const double left = end_ - time_;
     if (2 * dt > left) dt = dt < left ? 0.5 * left : left;
     step_ = {step_.number + 1, time_, before, dt};
@@ -240,9 +241,8 @@ class Explicit {
                            "): the step is beyond stability; use a smaller step factor"}));
     if (!(std::abs(energy_.imbalance()) <= allowed))
       stop(detail::joined({"the energy balance is off by ", detail::text(100 * energy_.error()), " % of ",
-                           detail::text(energy_.scale()),
-                           "; use a smaller step factor or look for what is wrong near element ",
-                           std::to_string(stable_.element), " of part ", std::to_string(stable_.part)}));
+                           detail::text(energy_.scale()), "; use a smaller step factor or look for what is wrong near ",
+                           culprit()}));
   }
 
   void drift() {
@@ -284,6 +284,21 @@ class Explicit {
     });
   }
 
+  /// The element that allows the least step, with its place.
+  [[gnu::cold]] std::string culprit() const {
+    std::string text;
+    std::apply(
+        [&](const auto&... thing) {
+          const auto ask = [&](const auto& part) {
+            if constexpr (requires { part.number(); })
+              if (part.number() == stable_.part)
+                text = detail::joined({part.name(stable_.element), " at ", part.place(nodes_, stable_.element)});
+          };
+          (ask(thing), ...);
+        },
+        things_);
+    return text;
+  }
   [[noreturn]] void stop(const std::string& why) const {
     throw Error(detail::joined(
         {"strike: at t = ", detail::text(time_), ", step ", std::to_string(step_.number), ": ", why, "."}));
@@ -297,6 +312,7 @@ class Explicit {
   Energy energy_;
   Step step_;
   StableStep stable_;
+  double smallest_step_ = 0;
   double rounding_ = 0;  // energy times time^2 of all nodes that move by the spacing of the numbers
   double time_ = 0, time_error_ = 0, end_ = std::numeric_limits<double>::infinity();
 };

@@ -202,6 +202,8 @@ class RunningPart {
       return 0;
     }
   }
+  /// Its place among the parts of the scene, from 0.
+  std::size_t number() const { return number_; }
   std::size_t size() const { return size_; }
   const E& element() const { return element_; }
   const M& material() const { return material_; }
