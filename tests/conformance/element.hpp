@@ -1,0 +1,409 @@
+#pragma once
+// The laws of the Element concept (strike/element/element.hpp) for elements of solids as one suite:
+//   TEST_CASE("conformance: my element") { testing::conforms(MyElement{}); }
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include <strike/element/element.hpp>
+#include <strike/material/eos/linear.hpp>
+#include <strike/material/failure/failure.hpp>
+#include <strike/material/solid.hpp>
+#include <strike/material/strength/von_mises.hpp>
+#include <strike/scalar/dual.hpp>
+#include <strike/scalar/pack.hpp>
+#include <strike/verify/single_element.hpp>
+
+#include "support/catch.hpp"
+
+namespace strike::testing {
+
+/// The corners of an undistorted element of n nodes and unit size.
+template <int n>
+Nodal<double, n> reference_corners() {
+  static_assert(n == 8, "give conforms the corners of your element");
+  return unit_cube();
+}
+
+/// Distorted elements of any size, aspect and place, none of them inverted at a corner of the cube that holds it.
+template <int n>
+class Shapes {
+ public:
+  explicit Shapes(unsigned seed, Nodal<double, n> corners = reference_corners<n>(), double distortion = 0.2)
+      : random_(seed), corners_(std::move(corners)), distortion_(distortion) {}
+
+  double unit() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
+  Eigen::Vector3d vector() { return {unit(), unit(), unit()}; }
+  Eigen::Matrix3d matrix() {
+    return Eigen::Matrix3d::NullaryExpr([&] { return unit(); });
+  }
+  Nodal<double, n> nodal() {
+    return Nodal<double, n>::NullaryExpr([&] { return unit(); });
+  }
+
+  Nodal<double, n> operator()() {
+    const Eigen::Vector3d stretch(std::exp(unit()), std::exp(unit()), std::exp(unit()));
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(3 * unit(), vector().normalized()).toRotationMatrix();
+    const Eigen::Matrix3d shear = Eigen::Matrix3d::Identity() + 0.3 * matrix();
+    const Nodal<double, n> distorted = corners_ + distortion_ * nodal();
+    return ((turn * shear * stretch.asDiagonal()) * distorted).colwise() + vector();
+  }
+
+ private:
+  std::mt19937 random_;
+  Nodal<double, n> corners_;
+  double distortion_;
+};
+
+// Materials that show what an element does.
+
+/// The same stress whatever happens, and moduli for those who ask.
+struct ConstantStress {
+  SymmetricTensor<double> sigma{};
+  double modulus = 1;
+
+  using Kinematics = SolidKinematics;
+  template <class T>
+  struct State {};
+
+  double density() const { return 1; }
+  template <class T>
+  SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>&, double) const {
+    return stress(std::as_const(state));
+  }
+  template <class T>
+  SymmetricTensor<T> stress(const State<T>&) const {
+    return {T(sigma.xx), T(sigma.yy), T(sigma.zz), T(sigma.xy), T(sigma.yz), T(sigma.zx)};
+  }
+  template <class T>
+  Moduli<T> moduli(const State<T>&, const SolidKinematics::Rate<T>&) const {
+    return {T(modulus), T(0.5 * modulus)};
+  }
+};
+
+/// No stress; remembers what the element measured.
+struct Witness {
+  using Kinematics = SolidKinematics;
+  template <class T>
+  struct State {
+    SolidKinematics::Rate<T> rate;
+  };
+
+  double density() const { return 1; }
+  template <class T>
+  SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double) const {
+    state.rate = rate;
+    return {};
+  }
+  template <class T>
+  SymmetricTensor<T> stress(const State<T>&) const {
+    return {};
+  }
+  template <class T>
+  Moduli<T> moduli(const State<T>&, const SolidKinematics::Rate<T>&) const {
+    return {T(1.0), T(0.5)};
+  }
+};
+
+/// A metal in units of its own: density, bulk modulus and size 1.
+inline const Solid metal{LinearEos{.density = 1, .bulk_modulus = 1},
+                         VonMises{.shear_modulus = 0.4, .yield_stress = 4e-3, .hardening_modulus = 4e-3}};
+
+using Metal = std::remove_const_t<decltype(metal)>;
+
+namespace detail {
+
+template <class E, class M>
+Response<double, E::nodes> respond(const E& element, const M& material, const Nodal<double, E::nodes>& x,
+                                   const Nodal<double, E::nodes>& v, double dt) {
+  typename E::template State<M, double> state;
+  element.begin(state, material, x);
+  return element.advance(state, material, x, v, dt);
+}
+
+/// The gradient operator B, from the forces of a stress: f_iI = sigma_ij B_jI. As if the nodes were at rest.
+template <class E>
+Nodal<double, E::nodes> forces(const E& element, const SymmetricTensor<double>& sigma,
+                               const Nodal<double, E::nodes>& x) {
+  return respond(element, ConstantStress{sigma}, x, Nodal<double, E::nodes>::Zero().eval(), 1.0).force;
+}
+
+inline double size(const auto& x) { return (x.colwise() - x.rowwise().mean()).cwiseAbs().maxCoeff(); }
+
+}  // namespace detail
+
+/// The gradient operator is dV/dx, B x^T = V 1, and every stress does its work on it. The masses of the nodes are the
+/// element's.
+template <class E>
+void gradient_is_that_of_the_volume(const E& element, Shapes<E::nodes> shapes) {
+  constexpr int n = E::nodes;
+  using D = Dual<double, 3 * n>;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Nodal<double, n> x = shapes();
+    const Nodal<double, n> B = detail::forces(element, SymmetricTensor<double>::isotropic(1), x);
+    const double rounding = 1e-13 * B.cwiseAbs().maxCoeff();
+
+    Nodal<D, n> x_dual;
+    for (int i = 0; i < 3 * n; ++i) x_dual(i) = D::variable(x(i), static_cast<std::size_t>(i));
+    typename E::template State<ConstantStress, D> state;
+    const D volume = double(n) * element.begin(state, ConstantStress{}, x_dual);  // of the density 1
+    for (int i = 0; i < 3 * n; ++i) CHECK(std::abs(B(i) - volume.derivative(static_cast<std::size_t>(i))) <= rounding);
+
+    const Eigen::Matrix3d Bx = B * x.transpose();
+    CHECK((Bx - volume.value() * Eigen::Matrix3d::Identity()).norm() <= 1e-13 * (B.norm() * x.norm()));
+    const Eigen::Matrix3d S = shapes.matrix();
+    const auto sigma = symmetric_part<double>(S);
+    CHECK((detail::forces(element, sigma, x) - sigma.matrix() * B).norm() <= 10 * rounding);
+  }
+}
+
+/// Linear velocity fields are measured exactly at every point of any shape; the rate of the volume is theirs.
+template <class E>
+void reproduces_linear_fields(const E& element, Shapes<E::nodes> shapes) {
+  constexpr int n = E::nodes;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Nodal<double, n> x = shapes();
+    const Eigen::Matrix3d L = shapes.matrix();
+    const Nodal<double, n> v = (L * x).colwise() + shapes.vector();
+    typename E::template State<Witness, double> state;
+    element.begin(state, Witness{}, x);
+    element.advance(state, Witness{}, x, v, 1e-15);  // so short that its middle is its end
+    const double rounding = 1e-13 * v.norm() / detail::size(x);
+    state.each_point([&](const auto& point) {
+      CHECK((point.rate.rate_of_deformation.matrix() - symmetric_part(L).matrix()).norm() <= 10 * rounding);
+      CHECK(point.rate.relative_volume == Approx(1).epsilon(1e-14));
+    });
+  }
+}
+
+/// What an element makes of the middle of a step.
+enum class FiniteRotations { exact, strain };
+
+/// Rigid motions strain nothing, in steps of any angle; or if their angle is infinitesimal.
+template <class E>
+void rigid_motions_give_no_force(const E& element, Shapes<E::nodes> shapes, FiniteRotations rotations) {
+  const double angle = rotations == FiniteRotations::exact ? 0.5 : 1e-8;
+  for (int trial = 0; trial < 5; ++trial) {
+    const Nodal<double, E::nodes> x = shapes();
+    SingleElement single{element, Elastic{1, 1, 0.3}, x};
+    const double rounding = 1e-13 * std::pow(detail::size(x) + 5, 2);  // the rotation is about the origin
+    for (const auto& record : single.run(motion::rotation(angle * shapes.vector().normalized()), 1.0, 10))
+      CHECK(record.force.norm() <= rounding);
+    single.step(Nodal<double, E::nodes>(shapes.vector().replicate(1, E::nodes)), 1.0);
+    CHECK(single.now().force.norm() <= rounding);
+  }
+}
+
+/// Nodal forces sum to zero, and so do their moments, whatever the motion.
+template <class E>
+void forces_and_moments_sum_to_zero(const E& element, Shapes<E::nodes> shapes) {
+  constexpr int n = E::nodes;
+  for (int trial = 0; trial < 10; ++trial) {
+    SingleElement single{element, metal, shapes()};
+    for (int i = 0; i < 5; ++i) {
+      const auto& now = single.step(shapes.nodal(), 0.01);
+      Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+      for (int I = 0; I < n; ++I) moment += Eigen::Vector3d(now.x.col(I)).cross(Eigen::Vector3d(now.force.col(I)));
+      CHECK(now.force.rowwise().sum().norm() <= 1e-14 * now.force.norm());
+      CHECK(moment.norm() <= 1e-13 * now.force.norm() * now.x.norm());  // of the modulus, of which the stress is 1 %
+    }
+  }
+}
+
+/// Hourglass control gives no force and does no work on linear fields of any shape.
+template <class E>
+void hourglass_control_ignores_linear_fields(const E& element, Shapes<E::nodes> shapes) {
+  constexpr int n = E::nodes;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Nodal<double, n> x = shapes();
+    Eigen::Matrix3d L = shapes.matrix();
+    L += (1 - L.trace()) / 3 * Eigen::Matrix3d::Identity();  // no compression, no bulk viscosity
+    const Nodal<double, n> v = (L * x).colwise() + shapes.vector();
+    const auto response = detail::respond(element, ConstantStress{}, x, v, 0.01);
+    const double wave_force = 1 * v.norm() * std::pow(detail::size(x), 2);  // rho c v h^2
+    CHECK(response.force.norm() <= 1e-14 * wave_force);
+    CHECK(std::abs(response.hourglass_work) <= 1e-28 * wave_force * v.norm());
+  }
+}
+
+/// Without a stress, an element only takes energy: nodes that are moved at random feel a resistance, and the work
+/// against the hourglass control is never given back in full.
+template <class E>
+void creates_no_energy(const E& element, Shapes<E::nodes> shapes) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Nodal<double, E::nodes> x = shapes(), v = shapes.nodal();
+    CHECK(detail::respond(element, ConstantStress{}, x, v, 0.01).force.cwiseProduct(v).sum() >= 0);
+
+    SingleElement single{element, ConstantStress{}, x};
+    for (int i = 0; i < 30; ++i) {
+      const auto& now = single.step(shapes.nodal(), 1e-3);
+      CHECK(now.hourglass >= 0);
+      CHECK(now.internal == 0);
+    }
+  }
+}
+
+/// What the motion of the nodes puts in is booked, as work of the stresses, against the hourglass control or as
+/// dissipation, but for an error that falls with the step.
+template <class E>
+void books_its_work(const E& element, Shapes<E::nodes> shapes) {
+  for (int trial = 0; trial < 3; ++trial) {
+    const Nodal<double, E::nodes> x = shapes(), a = shapes.nodal(), b = shapes.nodal();
+    const auto swing = [&](const auto&, double t) -> Nodal<double, E::nodes> {
+      return 0.01 * (std::cos(2 * t) * a + std::sin(3 * t) * b);
+    };
+    const auto error = [&](int steps) {
+      SingleElement single{element, metal, x};
+      const auto now = single.run(swing, 3.0 / steps, static_cast<std::size_t>(steps)).back();
+      CHECK(now.bulk_viscosity >= 0);
+      return std::abs(now.internal + now.hourglass + now.bulk_viscosity - now.external) / now.external;
+    };
+    const double coarse = error(100), fine = error(1000);
+    CHECK(coarse < 1e-2);
+    CHECK(fine < std::max(0.2 * coarse, 1e-6));
+  }
+}
+
+/// Lane i of a pack gives what a double gives, to the rounding of the pack's numbers.
+template <class P, class E>
+void lanes_agree(const E& element, Shapes<E::nodes> shapes) {
+  constexpr int n = E::nodes;
+  constexpr std::size_t width = lanes<P>;
+  const double rounding = std::numeric_limits<RealOf<P>>::epsilon();
+  Nodal<P, n> x, v;
+  std::array<Nodal<double, n>, width> x_alone, v_alone;
+  std::array<typename E::template State<Metal, double>, width> alone;
+  typename E::template State<Metal, P> pack;
+  const auto spread = [&](const auto& from, Nodal<P, n>& to) {
+    for (int i = 0; i < 3 * n; ++i) to(i) = P::generate([&](std::size_t l) { return from[l](i); });
+  };
+  const auto round = [](const Nodal<double, n>& a) -> Nodal<double, n> {
+    return a.template cast<RealOf<P>>().template cast<double>();  // the same numbers for both
+  };
+  for (std::size_t l = 0; l < width; ++l) {
+    x_alone[l] = round(shapes());
+    element.begin(alone[l], metal, x_alone[l]);
+  }
+  spread(x_alone, x);
+  element.begin(pack, metal, x);
+  for (int step = 1; step <= 5; ++step) {
+    const double dt = 0x1p-8;
+    for (std::size_t l = 0; l < width; ++l) {
+      v_alone[l] = l == 0 ? Nodal<double, n>::Zero() : round(shapes.nodal());  // lane 0 stays at rest
+      x_alone[l] = round(x_alone[l] + dt * v_alone[l]);
+    }
+    spread(x_alone, x), spread(v_alone, v);
+    const auto response = element.advance(pack, metal, x, v, dt);
+    for (std::size_t l = 0; l < width; ++l) {
+      const auto expected = element.advance(alone[l], metal, x_alone[l], v_alone[l], dt);
+      CAPTURE(width, l, step);
+      const double force = std::pow(detail::size(x_alone[l]), 2), work = force * detail::size(x_alone[l]);
+      for (int i = 0; i < 3 * n; ++i)
+        CHECK(std::abs(double(lane(response.force(i), l)) - expected.force(i)) <= 100 * step * rounding * force);
+      CHECK(double(lane(response.volume, l)) == Approx(expected.volume).epsilon(100 * rounding));
+      CHECK(double(lane(response.stable_step, l)) == Approx(expected.stable_step).epsilon(1e3 * rounding));
+      CHECK(std::abs(double(lane(response.internal_work, l)) - expected.internal_work) <= 10 * rounding * work);
+      CHECK(std::abs(double(lane(response.hourglass_work, l)) - expected.hourglass_work) <= 10 * rounding * work);
+      CHECK(std::abs(double(lane(response.bulk_viscosity_work, l)) - expected.bulk_viscosity_work) <=
+            10 * rounding * work);
+    }
+  }
+}
+
+/// The stable step is never beyond the exact one of the free element, at rest and in compression, compressible or not.
+template <class E>
+void stable_step_is_safe(const E& element, Shapes<E::nodes> shapes) {
+  for (int trial = 0; trial < 60; ++trial) {
+    const double nu = std::array{0.0, 0.3, 0.4999}[static_cast<std::size_t>(trial % 3)];
+    const Nodal<double, E::nodes> x = shapes();
+    SingleElement single{element, Elastic{1, 1, nu}, x};
+    CHECK(single.vibration().critical_step() >= (1 - 1e-6) * single.now().stable_step);  // difference quotients
+
+    const Nodal<double, E::nodes> v = -0.02 / single.now().stable_step * x;
+    const double exact = single.vibration(v).critical_step();
+    CHECK(exact >= 0.999 * single.step(v, 1e-9 * single.now().stable_step).stable_step);  // at the end of 1 % of a step
+  }
+}
+
+/// An element whose material has failed gives no force and allows every step, whatever its shape becomes.
+template <class E>
+void failed_elements_are_silent(const E& element, Shapes<E::nodes> shapes) {
+  const Solid brittle{LinearEos{.density = 1, .bulk_modulus = 1}, VonMises{.shear_modulus = 0.4, .yield_stress = 1},
+                      UltimateStress{1e-3}};
+  Eigen::Matrix3d shear = Eigen::Matrix3d::Zero();
+  shear(0, 1) = 0.1;
+  SingleElement single{element, brittle, shapes()};
+  single.run(motion::homogeneous(shear), 0.1, 2);
+  CHECK(single.now().force.norm() == 0);
+  const double booked = single.now().internal;
+  for (int i = 0; i < 20; ++i) {
+    const auto& now = single.step(shapes.nodal(), 0.3);  // inside out sooner or later
+    CHECK(now.force.norm() == 0);
+    CHECK(now.volume > 0);
+    CHECK(now.stable_step == std::numeric_limits<double>::max());
+    CHECK(now.internal == booked);
+    CHECK((std::isfinite(now.hourglass) && std::isfinite(now.bulk_viscosity)));
+  }
+}
+
+/// The patch test: in a cube of seven distorted hexahedra whose outer nodes move by a linear field and whose inner
+/// nodes do too, the stress is the same everywhere and the inner nodes are in equilibrium.
+template <class E>
+void passes_the_patch_test(const E& element, Shapes<8> shapes) {
+  const Nodal<double, 8> outer = unit_cube();
+  for (int trial = 0; trial < 5; ++trial) {
+    Eigen::Matrix<double, 3, 16> x;
+    x << outer, (0.4 * (outer.array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal();
+    constexpr int cells[7][8] = {{8, 9, 10, 11, 12, 13, 14, 15},                                // the core
+                                 {0, 1, 2, 3, 8, 9, 10, 11},     {12, 13, 14, 15, 4, 5, 6, 7},  // below, above
+                                 {0, 1, 9, 8, 4, 5, 13, 12},     {11, 10, 2, 3, 15, 14, 6, 7},  // front, back
+                                 {0, 8, 11, 3, 4, 12, 15, 7},    {9, 1, 2, 10, 13, 5, 6, 14}};  // left, right
+    Eigen::Matrix3d L = 1e-3 * shapes.matrix();
+    L += (1e-3 - L.trace() / 3) * Eigen::Matrix3d::Identity();  // no compression: bulk viscosity depends on the size
+    const Eigen::Matrix<double, 3, 16> v = L * x;
+    Eigen::Matrix<double, 3, 16> force = Eigen::Matrix<double, 3, 16>::Zero();
+    std::vector<SymmetricTensor<double>> stresses;
+    double volume = 0;
+    for (const auto& cell : cells) {
+      Nodal<double, 8> x_cell, v_cell;
+      for (int i = 0; i < 8; ++i) x_cell.col(i) = x.col(cell[i]), v_cell.col(i) = v.col(cell[i]);
+      SingleElement single{element, Elastic{1, 1, 0.3}, x_cell};
+      const auto& now = single.step(v_cell, 1.0);
+      for (int i = 0; i < 8; ++i) force.col(cell[i]) += now.force.col(i);
+      single.state().each_point([&](const auto& point) { stresses.push_back(point.stress); });
+      volume += now.volume;
+    }
+    const double stress = stresses[0].matrix().norm();
+    for (const auto& s : stresses) CHECK((s - stresses[0]).matrix().norm() <= 1e-12 * stress);
+    CHECK(force.rightCols(8).norm() <= 1e-12 * force.norm());
+    CHECK(force.leftCols(8).norm() > 0.1 * stress);
+    CHECK(volume == Approx((Eigen::Matrix3d::Identity() + L).determinant()).epsilon(1e-13));
+  }
+}
+
+/// All laws.
+template <class E>
+void conforms(const E& element, FiniteRotations rotations = FiniteRotations::exact,
+              const Nodal<double, E::nodes>& corners = reference_corners<E::nodes>()) {
+  const Shapes<E::nodes> shapes(1, corners);
+  gradient_is_that_of_the_volume(element, shapes);
+  reproduces_linear_fields(element, shapes);
+  rigid_motions_give_no_force(element, shapes, rotations);
+  forces_and_moments_sum_to_zero(element, shapes);
+  hourglass_control_ignores_linear_fields(element, shapes);
+  creates_no_energy(element, shapes);
+  books_its_work(element, shapes);
+  lanes_agree<Pack<double, 8>>(element, shapes);
+  lanes_agree<Pack<float, 16>>(element, shapes);
+  stable_step_is_safe(element, shapes);
+  failed_elements_are_silent(element, shapes);
+  if constexpr (E::nodes == 8) passes_the_patch_test(element, shapes);
+}
+
+}  // namespace strike::testing

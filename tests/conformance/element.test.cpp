@@ -1,0 +1,98 @@
+#include "conformance/element.hpp"
+
+#include <strike/element/hex8.hpp>
+#include <strike/element/hex8_full.hpp>
+
+using namespace strike;
+using testing::conforms;
+using testing::FiniteRotations;
+
+namespace {
+
+/// An element of a user's own, as short as they come: the tetrahedron with four nodes.
+struct Tetrahedron {
+  using Kinematics = SolidKinematics;
+  static constexpr int nodes = 4;
+
+  template <class M, class T>
+  struct State {
+    T initial_volume;
+    typename M::template State<T> material{};
+
+    template <class F>
+    void each_point(F f) const {
+      f(material);
+    }
+  };
+
+  template <class M, class T>
+  T begin(State<M, T>& state, const M& material, const Nodal<T, 4>& x) const {
+    state.initial_volume = Gradient<T>(x).volume;
+    return 0.25 * material.density() * state.initial_volume;
+  }
+
+  template <class M, class T>
+  Response<T, 4> advance(State<M, T>& state, const M& material, const Nodal<T, 4>& x, const Nodal<T, 4>& v,
+                         double dt) const {
+    const Gradient<T> g(x);
+    const Nodal<T, 4> b = (1.0 / g.volume) * g.B;
+    const Matrix3<T> L = MidStep{}(Matrix3<T>(v.lazyProduct(b.transpose())), dt);
+    turn_tensors(HughesWinget{}.turn(Vector3<T>(T(dt) * axial_vector(L))), state.material);
+    const SolidKinematics::Rate<T> rate{symmetric_part(L), g.volume / state.initial_volume};
+    const T dV = volume_increment<T>(g.volume, dt * trace(rate.rate_of_deformation));
+    const auto [sigma, work] = advance_point(material, state.material, rate, dt, g.volume, dV);
+
+    const Matrix3<T> bb = b.lazyProduct(b.transpose());
+    const SymmetricTensor<T> S = T(0.5) * symmetric_part(bb);  // nodal masses of rho V/4, not rho V/8
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), rate.relative_volume / material.density()};
+    Response<T, 4> response{sigma.matrix().lazyProduct(g.B), g.volume, T(0.0), work, T(0.0), T(0.0)};
+    response.stable_step =
+        1.0 / stability.vibration(material, material.moduli(state.material, rate), T(0.0)).critical_rate();
+    if constexpr (requires { material.intact(state.material); })
+      silence(material.intact(state.material) > 0.0, response);
+    return response;
+  }
+
+ private:
+  template <class T>
+  struct Gradient {
+    Nodal<T, 4> B;  ///< dV/dx
+    T volume;
+
+    explicit Gradient(const Nodal<T, 4>& x) {
+      const Vector3<T> a = x.col(1) - x.col(0), b = x.col(2) - x.col(0), c = x.col(3) - x.col(0);
+      B.col(1) = cross(b, c), B.col(2) = cross(c, a), B.col(3) = cross(a, b);
+      B *= T(1.0 / 6.0);
+      B.col(0) = -(B.col(1) + B.col(2) + B.col(3));
+      volume = a.dot(B.col(1));
+    }
+  };
+};
+
+Nodal<double, 4> tetrahedron() {
+  Nodal<double, 4> x;
+  x << 0, 1, 0, 0,  //
+      0, 0, 1, 0,   //
+      0, 0, 0, 1;
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("conformance: Hex8") { conforms(Hex8{}); }
+TEST_CASE("conformance: Hex8 with stiffness hourglass control") { conforms(Hex8{StiffnessHourglass{}}); }
+TEST_CASE("conformance: Hex8 without hourglass control or bulk viscosity") {
+  conforms(Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}});
+}
+TEST_CASE("conformance: Hex8 of Jaumann") { conforms(Hex8{ViscousHourglass{}, Jaumann{}}); }
+TEST_CASE("conformance: Hex8 measured at the end of the step") {
+  conforms(Hex8{ViscousHourglass{}, HughesWinget{}, BulkViscosity{}, EndStep{}}, FiniteRotations::strain);
+}
+TEST_CASE("conformance: Hex8Full") { conforms(Hex8Full{}); }
+TEST_CASE("conformance: Hex8Full of Jaumann without bulk viscosity") {
+  conforms(Hex8Full{Jaumann{}, NoBulkViscosity{}});
+}
+TEST_CASE("conformance: an element of a test's own") { conforms(Tetrahedron{}, FiniteRotations::exact, tetrahedron()); }
+
+static_assert(Element<Hex8<>> && Element<Hex8Full<>> && Element<Tetrahedron>);
+static_assert(!Element<int> && !Element<Elastic> && !Element<HughesWinget>);
