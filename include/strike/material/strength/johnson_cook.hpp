@@ -15,8 +15,8 @@ struct JohnsonCook {
   template <class T>
   T flow_stress(const T& e, const T& rate, const T& temperature) const {
     const T homologous = (temperature - initial_temperature) * (1.0 / (melting_temperature - initial_temperature));
-    const T softening = select(homologous > 0.0, pow(min(T(1.0), homologous), T(m)), T(0.0));
-    return (A + B * pow(e, T(n))) * (1.0 + C * log(max(rate * (1.0 / reference_rate), T(1.0)))) * (1.0 - softening);
+    const T softening = select(homologous > 0.0, pow(min(T(1.0), homologous), m), T(0.0));
+    return (A + B * pow(e, n)) * (1.0 + C * log(max(rate * (1.0 / reference_rate), T(1.0)))) * (1.0 - softening);
   }
 };
 

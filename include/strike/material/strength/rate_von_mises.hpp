@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 
 #include <strike/scalar/scalar.hpp>
@@ -17,7 +18,7 @@ struct RateVonMises {
 
   template <class T>
   T flow_stress(const T& e, const T& rate) const {
-    return (yield_stress + hardening_modulus * e) * (1.0 + rate_factor * pow(rate, T(rate_exponent)));
+    return (yield_stress + hardening_modulus * e) * (1.0 + rate_factor * pow(rate, rate_exponent));
   }
 
   /// The rate-independent increment dl0 bounds the root, so that dl = dl0 z^a with z in [0, 1]. With a = max(1/n, 1)
@@ -27,22 +28,24 @@ struct RateVonMises {
   /// rate.
   template <class T>
   T plastic_increment(const T& q, const T& e, double dt) const {
+    using Limits = std::numeric_limits<RealOf<T>>;
     const double G3 = 3.0 * shear_modulus;
     const T quasi_static = yield_stress + hardening_modulus * e;
     const T dl0 = max(T(0.0), q - quasi_static) * (1.0 / (G3 + hardening_modulus));
-    if (!(dt > 0) || rate_factor == 0 || !any(dl0 > 0.0)) return dl0;
-    const double a = rate_exponent < 1 ? 1 / rate_exponent : 1, b = rate_exponent < 1 ? 1 : rate_exponent;
-    const T growth = rate_factor * pow(dl0 / dt, T(rate_exponent));
-    const T rounding = T(16.0 * std::numeric_limits<RealOf<T>>::epsilon()) * q;
+    const auto yields = dl0 > 0.0;
+    if (!(dt > 0) || rate_factor == 0 || !any(yields)) return dl0;
+    const double a = std::max(1 / rate_exponent, 1.0), b = std::max(rate_exponent, 1.0);
+    const auto raised = [](const T& z, double n) -> T { return n == 1 ? z : exp(T(n * log(z))); };
+    const T growth = rate_factor * pow(T(dl0 / dt), rate_exponent);
+    const T rounding = T(16.0 * Limits::epsilon()) * q;
     T z = T(1.0), za = T(1.0), zb = T(1.0);
     for (int i = 0; i < 50; ++i) {
       const T sigma = quasi_static + hardening_modulus * dl0 * za;
       const T f = q - G3 * dl0 * za - sigma * (1.0 + growth * zb);
       const T slope = (G3 + hardening_modulus * (1.0 + growth * zb)) * dl0 * a * za + sigma * growth * b * zb;  // -z f'
-      z = select(dl0 > 0.0, max(T(0.0), z * (1.0 + f / slope)), T(0.0));
-      za = a == 1 ? z : pow(z, T(a));
-      zb = b == 1 ? z : pow(z, T(b));
-      if (!any(dl0 > 0.0 && abs(f) > rounding)) break;
+      z = select(yields, max(T(Limits::min()), z * (1.0 + f / slope)), T(1.0));
+      za = raised(z, a), zb = raised(z, b);
+      if (!any(yields && abs(f) > rounding)) break;
     }
     return dl0 * za;
   }

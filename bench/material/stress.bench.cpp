@@ -1,0 +1,109 @@
+// What a step of each material costs per point, in each scalar: the stress, then the moduli that the time step asks
+// for. `tiny` is the same motion at rates near the least number, which must not be slower than three times the usual.
+//   bench.material.stress --benchmark_filter=VonMises
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include <strike/material.hpp>
+
+namespace {
+
+using namespace strike;
+
+constexpr std::size_t points = 1024;
+constexpr double dt = 1e-7;
+
+enum class Motion { usual, tiny };
+
+/// A shear that swings, so that points yield, unload and yield again; each a little out of step with the next.
+template <class T, class M>
+void price(benchmark::State& bench, const M& material, Motion motion) {
+  using Real = RealOf<T>;
+  using State = typename M::template State<T>;
+  const double tiny = 100 * static_cast<double>(std::numeric_limits<Real>::denorm_min());
+  const double rate = motion == Motion::tiny ? tiny : 2e-3 / dt;
+
+  std::vector<State> states(points / lanes<T>);
+  std::vector<SolidKinematics::Rate<T>> rates(states.size());
+  for (auto& state : states)
+    if constexpr (requires { material.begin(state); }) material.begin(state);
+  for (std::size_t i = 0; i < points; ++i) {
+    auto& [D, J] = rates[i / lanes<T>];
+    const double phase = double(i) / points;
+    set_lane(D.xx, i % lanes<T>, static_cast<Real>(rate * (0.5 - phase)));
+    set_lane(D.yy, i % lanes<T>, static_cast<Real>(-rate * (0.4 - phase)));
+    set_lane(D.xy, i % lanes<T>, static_cast<Real>(rate * phase));
+    set_lane(J, i % lanes<T>, static_cast<Real>(0.99));
+  }
+  for (auto _ : bench) {
+    T sum = T(0.0);
+    for (std::size_t b = 0; b < states.size(); ++b) {
+      sum += material.stress(states[b], rates[b], dt).xx + material.moduli(states[b], rates[b]).wave();
+      rates[b].rate_of_deformation = T(-1.0) * rates[b].rate_of_deformation;
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  bench.counters["ns"] = benchmark::Counter(double(bench.iterations()) * points * 1e-9,
+                                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+template <class M>
+void prices(const std::string& name, const M& material) {
+  const auto add = [&](const std::string& number, auto run, Motion motion) {
+    benchmark::RegisterBenchmark((name + "/" + number).c_str(),
+                                 [=](benchmark::State& bench) { run(bench, material, motion); });
+  };
+  add("double", price<double, M>, Motion::usual);
+  add("Pack<double, 4>", price<Pack<double, 4>, M>, Motion::usual);
+  add("Pack<double, 8>", price<Pack<double, 8>, M>, Motion::usual);
+  add("Pack<double, 16>", price<Pack<double, 16>, M>, Motion::usual);
+  add("Pack<float, 8>", price<Pack<float, 8>, M>, Motion::usual);
+  add("Pack<float, 16>", price<Pack<float, 16>, M>, Motion::usual);
+  add("tiny/Pack<double, 8>", price<Pack<double, 8>, M>, Motion::tiny);
+}
+
+/// A law without its own way to the plastic increment.
+struct Voce {
+  double shear_modulus, yield_stress, saturation, slope;
+  template <class T>
+  T flow_stress(const T& e) const {
+    return yield_stress + saturation * (1.0 - exp(-slope * e));
+  }
+};
+
+const bool registered = [] {
+  const LinearEos linear{.density = 8930, .bulk_modulus = 130e9};
+  const PolynomialEos polynomial{.density = 8930, .C1 = 130e9, .C2 = 120e9, .C3 = 100e9, .C4 = 2, .C5 = 2};
+  const GruneisenEos gruneisen{.density = 8930, .sound_speed = 3940, .S1 = 1.489, .gamma = 1.99};
+  const VonMises von_mises{.shear_modulus = 43.3e9, .yield_stress = 40e6, .hardening_modulus = 100e6};
+
+  prices("Elastic", Elastic{.reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = .35});
+  prices("LinearEos VonMises", Solid{linear, von_mises});
+  prices("LinearEos RateVonMises", Solid{linear, RateVonMises{.shear_modulus = 43.3e9,
+                                                              .yield_stress = 40e6,
+                                                              .hardening_modulus = 100e6,
+                                                              .rate_factor = .111,
+                                                              .rate_exponent = .25}});
+  prices("LinearEos Voce", Solid{linear, Voce{43.3e9, 40e6, 200e6, 10}});
+  prices("LinearEos JohnsonCook", Solid{linear, JohnsonCook{.shear_modulus = 43.3e9,
+                                                            .A = 90e6,
+                                                            .B = 292e6,
+                                                            .n = .31,
+                                                            .C = .025,
+                                                            .m = 1.09,
+                                                            .initial_temperature = 294,
+                                                            .melting_temperature = 1356,
+                                                            .heating = 2.6e-7}});
+  prices("LinearEos VonMises UltimateStress", Solid{linear, von_mises, UltimateStress{.ultimate_stress = 1e12}});
+  prices("PolynomialEos VonMises", Solid{polynomial, von_mises});
+  prices("GruneisenEos VonMises", Solid{gruneisen, von_mises});
+  prices("CubicEos", Fluid{CubicEos{.density = 938, .C1 = 2.06e9, .C2 = 6.19e9, .C3 = 10.3e9}});
+  prices("IdealGas Newtonian",
+         Fluid{IdealGas{.density = 1.2, .gamma = 1.4, .initial_energy = 2.5e5}, Newtonian{.viscosity = 1e-5}});
+  return true;
+}();
+
+}  // namespace
