@@ -1,0 +1,30 @@
+#pragma once
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+namespace strike {
+
+/// While it lives, its thread takes denormal numbers for zero, as operands and as results. On x86 each of them costs
+/// some hundred cycles: what is nearly at rest would run ten times slower than what moves. Elsewhere it does nothing.
+class FlushDenormals {
+ public:
+#if defined(__SSE__)
+  FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | flush_results | operands_are_zero); }
+  ~FlushDenormals() { _mm_setcsr(before_); }
+#else
+  FlushDenormals() {}
+  ~FlushDenormals() {}
+#endif
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+ private:
+#if defined(__SSE__)
+  static constexpr unsigned flush_results = 0x8000, operands_are_zero = 0x0040;  // of MXCSR
+  unsigned before_;
+#endif
+};
+
+}  // namespace strike
