@@ -27,7 +27,7 @@ class RigidWall {
   }
 
   template <class N, class Ledger>
-  void constrain(N& nodes, const Step& step, Ledger& ledger) {
+  void touch(N& nodes, const Step& step, Ledger& ledger) {
     using Vector = typename N::Vector;
     using Real = typename Vector::Scalar;
     const Vector normal = normal_.cast<Real>(), point = point_.cast<Real>();
@@ -38,16 +38,20 @@ class RigidWall {
       const Real gap = normal.dot(nodes.x(i) - point), approach = normal.dot(nodes.v(i));
       const Real excess = -(gap + dt * approach);
       if (!(excess > 0)) continue;
+      const Vector away = nodes.free(i, normal_).template cast<Real>();
+      const Real yielding = away.dot(normal);  // 1 where the node is free to move along the normal, 0 where it is not
+      if (!(yielding > Real(1e-6))) continue;
       const Vector before = nodes.v(i) - kick / nodes.mass(i) * nodes.f(i);
-      const Real push = nodes.mass(i) * (excess / dt);
-      const Vector sliding = nodes.v(i) - approach * normal;
+      const Real push = nodes.mass(i) * (excess / dt) / yielding;
+      const Vector sliding =
+          nodes.free(i, (nodes.v(i) - approach * normal).template cast<double>()).template cast<Real>();
       const Real speed = sliding.norm();
       Vector drag = Vector::Zero();
       if (mu > 0 && speed > 0) drag = -std::min(mu * push / speed, nodes.mass(i)) * sliding;
-      nodes.v(i) += (push * normal + drag) / nodes.mass(i);
-      ledger.contact.book_impulse(-push * normal.dot(before), -push * normal.dot(nodes.v(i)));
+      nodes.v(i) += (push * away + drag) / nodes.mass(i);
+      ledger.contact.book_impulse(-push * away.dot(before), -push * away.dot(nodes.v(i)));
       ledger.friction.book_impulse(-drag.dot(before), -drag.dot(nodes.v(i)));
-      impulse += (push * normal + drag).template cast<double>();
+      impulse += (push * away + drag).template cast<double>();
     }
     impulse_ += impulse;
     force_ = impulse / step.kick();

@@ -49,7 +49,7 @@ class Explicit {
     });
     double mass = 0, distance = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const double m = static_cast<double>(nodes_.mass(i));
+      const auto m = static_cast<double>(nodes_.mass(i));
       ledger_.kinetic += 0.5 * m * nodes_.v(i).template cast<double>().squaredNorm();
       mass += m;
       distance = std::max(distance, static_cast<double>(nodes_.x(i).cwiseAbs().maxCoeff()));
@@ -70,6 +70,7 @@ class Explicit {
     choose_step();
     kick();
     constrain();
+    touch();
     audit();
     drift();
     deform();
@@ -205,6 +206,12 @@ class Explicit {
   void constrain() {
     each([&](auto& thing) {
       if constexpr (requires { thing.constrain(nodes_, step_, ledger_); }) thing.constrain(nodes_, step_, ledger_);
+    });
+  }
+
+  void touch() {
+    each([&](auto& thing) {
+      if constexpr (requires { thing.touch(nodes_, step_, ledger_); }) thing.touch(nodes_, step_, ledger_);
     });
   }
 

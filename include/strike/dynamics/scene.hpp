@@ -19,7 +19,8 @@ concept HasAVerb = requires(Thing thing, Nodes<double> nodes) {
   thing.begin(nodes);
 }
 || requires(Thing thing, Nodes<double> nodes) { thing.push(nodes, 0.0); }
-|| requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.constrain(nodes, step, ledger); };
+|| requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.constrain(nodes, step, ledger); }
+|| requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.touch(nodes, step, ledger); };
 
 template <class Thing>
 constexpr bool is_sound() {
@@ -37,13 +38,15 @@ constexpr bool is_sound() {
 /// - `begin(nodes)`, once: initial conditions, and a look at all nodes;
 /// - `deform(nodes, dt, ledger)`: a part's forces at the new positions; returns its StableStep;
 /// - `push(nodes, time)`: adds forces; `power(nodes)`: what these do at the present velocities;
-/// - `constrain(nodes, step, ledger)`: corrects the velocities of the step to come.
+/// - `constrain(nodes, step, ledger)`: gives the velocities of the step to come along the directions that the thing has
+///   taken from its nodes by `nodes.hold` in `begin`;
+/// - `touch(nodes, step, ledger)`: contact; corrects the velocities along what directions are `nodes.free`.
 template <class... Things>
 struct Scene {
   static_assert(
       ((detail::is_part<Things> || detail::HasAVerb<Things>)&&...),
       "strike: one of the things in this Scene is neither a Part nor has one of the verbs begin(nodes), push(nodes, "
-      "time) and constrain(nodes, step, ledger).");
+      "time), constrain(nodes, step, ledger) and touch(nodes, step, ledger).");
   static_assert((detail::is_part<Things> || ...), "strike: a Scene needs at least one Part.");
   /// Whether the compiler has not complained about any of its things.
   static constexpr bool sound = (detail::is_sound<Things>() && ...) && (detail::is_part<Things> || ...);

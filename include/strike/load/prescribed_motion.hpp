@@ -16,6 +16,11 @@ class PrescribedMotion {
   PrescribedMotion(const Eigen::Vector3d& direction, std::vector<Index> nodes)
       : direction_(direction.normalized()), nodes_(std::move(nodes)) {}
 
+  template <class N>
+  void begin(N& nodes) const {
+    for (const Index i : nodes_) nodes.hold(i, direction_, Held::moved);
+  }
+
   template <class N, class Ledger>
   void impose(double velocity, N& nodes, const Step& step, Ledger& ledger) const {
     using Vector = typename N::Vector;
@@ -42,6 +47,8 @@ class PrescribedMotion {
 template <class History>
 class PrescribedVelocity : detail::PrescribedMotion {
  public:
+  using PrescribedMotion::begin;
+
   PrescribedVelocity(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
       : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}
   PrescribedVelocity(Axis axis, std::vector<Index> nodes, History history)
@@ -60,6 +67,8 @@ class PrescribedVelocity : detail::PrescribedMotion {
 template <class History>
 class PrescribedDisplacement : detail::PrescribedMotion {
  public:
+  using PrescribedMotion::begin;
+
   PrescribedDisplacement(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
       : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}
   PrescribedDisplacement(Axis axis, std::vector<Index> nodes, History history)

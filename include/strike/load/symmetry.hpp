@@ -7,19 +7,26 @@
 
 namespace strike {
 
-/// Nodes that do not move along a direction: those in a plane of symmetry along its normal, or any that slide.
+/// Nodes that do not move along a direction: those in a plane of symmetry along its normal, or any that slide. Planes
+/// may meet at any angle.
 class Symmetry {
  public:
   Symmetry(const Eigen::Vector3d& normal, std::vector<Index> nodes)
-      : normal_(normal.normalized()), nodes_(std::move(nodes)) {}
+      : normals_(nodes.size(), normal.normalized()), nodes_(std::move(nodes)) {}
   Symmetry(Axis axis, std::vector<Index> nodes) : Symmetry(unit(axis), std::move(nodes)) {}
+
+  template <class N>
+  void begin(N& nodes) {
+    for (std::size_t k = 0; k < nodes_.size(); ++k) normals_[k] = nodes.hold(nodes_[k], normals_[k]);
+  }
 
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) const {
     using Vector = typename N::Vector;
     using Real = typename Vector::Scalar;
-    const Vector normal = normal_.cast<Real>();
-    for (const Index i : nodes_) {
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      const Index i = nodes_[k];
+      const Vector normal = normals_[k].template cast<Real>();
       const Real v = nodes.v(i).dot(normal), m = nodes.mass(i);
       const Real before = v - static_cast<Real>(step.kick()) / m * nodes.f(i).dot(normal);
       nodes.v(i) -= v * normal;
@@ -29,7 +36,7 @@ class Symmetry {
   }
 
  private:
-  Eigen::Vector3d normal_;
+  std::vector<Eigen::Vector3d> normals_;  // of each node, less what another plane holds already
   std::vector<Index> nodes_;
 };
 
