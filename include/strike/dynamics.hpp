@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/dynamics/clock.hpp>
 #include <strike/dynamics/every.hpp>
 #include <strike/dynamics/explicit.hpp>
 #include <strike/dynamics/gather.hpp>

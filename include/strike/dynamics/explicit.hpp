@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/dynamics/clock.hpp>
 #include <strike/dynamics/ledger.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/error.hpp>
@@ -85,7 +86,7 @@ class Explicit {
     end_ = end;
     (observe(observers), ...);
     try {
-      while (time_ < end_ && !(stops(observers) || ...)) {
+      while (clock_.time() < end_ && !(stops(observers) || ...)) {
         step();
         (observe(observers), ...);
       }
@@ -95,7 +96,7 @@ class Explicit {
     }
   }
 
-  double time() const { return time_; }
+  double time() const { return clock_.time(); }
   std::size_t steps() const { return step_.number; }
   double dt() const { return step_.dt; }
   /// The element that allows the least step, and that step before the factor.
@@ -183,9 +184,9 @@ class Explicit {
       stop(detail::joined({"the time step has fallen to ", detail::text(dt), " because of ", culprit(),
                            "; refine the mesh there, let the material fail, or allow it by `.smallest_step`"}));
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
-    const double left = end_ - time_;
+    const double left = end_ - clock_.time();
     if (2 * dt > left) dt = dt < left ? 0.5 * left : left;
-    step_ = {step_.number + 1, time_, before, dt};
+    step_ = {step_.number + 1, clock_.time(), before, dt};
   }
 
   /// v += kick f/m. Collects the kinetic energy m v-.v+/2 but for the impulses of the constraints, which the ledger
@@ -258,13 +259,10 @@ class Explicit {
       nodes_.wide(nodes_.position()[i]) += dt * nodes_.wide(nodes_.velocity()[i]);
       nodes_.wide(nodes_.force()[i]).setZero();
     }
-    if (step_.dt >= end_ - time_) {
-      time_ = end_;
-    } else {  // summed with its rounding error (Kahan 1965): exact to the last digit after any number of steps
-      const double increment = step_.dt - time_error_, sum = time_ + increment;
-      time_error_ = (sum - time_) - increment;
-      time_ = sum;
-    }
+    if (step_.dt >= end_ - clock_.time())
+      clock_.set(end_);
+    else
+      clock_.advance(step_.dt);
   }
 
   void deform() {
@@ -284,8 +282,8 @@ class Explicit {
 
   void push() {
     each([&](auto& thing) {
-      if constexpr (requires { thing.push(nodes_, time_); }) {
-        thing.push(nodes_, time_);
+      if constexpr (requires { thing.push(nodes_, clock_.time()); }) {
+        thing.push(nodes_, clock_.time());
         ledger_.external.book(0.5 * step_.dt * thing.power(nodes_));
       }
     });
@@ -308,7 +306,7 @@ class Explicit {
   }
   [[noreturn]] void stop(const std::string& why) const {
     throw Error(detail::joined(
-        {"strike: at t = ", detail::text(time_), ", step ", std::to_string(step_.number), ": ", why, "."}));
+        {"strike: at t = ", detail::text(clock_.time()), ", step ", std::to_string(step_.number), ": ", why, "."}));
   }
   std::string place(std::size_t i) const { return detail::text(Eigen::Vector3d(nodes_.x(i).template cast<double>())); }
 
@@ -321,7 +319,8 @@ class Explicit {
   StableStep stable_;
   double smallest_step_ = 0;
   double rounding_ = 0;  // energy times time^2 of all nodes that move by the spacing of the numbers
-  double time_ = 0, time_error_ = 0, end_ = std::numeric_limits<double>::infinity();
+  Clock clock_;
+  double end_ = std::numeric_limits<double>::infinity();
 };
 
 /// A scene that the compiler has already complained about gets no second complaint.
