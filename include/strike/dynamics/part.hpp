@@ -44,12 +44,10 @@ template <class E, class M, std::size_t n>
 constexpr Flaw flaw() {
   if constexpr (!HasNodesAndKinematics<E>)
     return Flaw::element;
-  else if constexpr (is_reported<E>())
+  else if constexpr (is_reported<E>() || is_reported<M>())
     return Flaw::reported;
   else if constexpr (!HasKinematics<M> || HasNodesAndKinematics<M>)
     return Flaw::material;
-  else if constexpr (is_reported<M>())
-    return Flaw::reported;
   else if constexpr (!std::same_as<typename E::Kinematics, typename M::Kinematics>)
     return Flaw::pair;
   else if constexpr (static_cast<std::size_t>(E::nodes) != n)
