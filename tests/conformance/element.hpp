@@ -134,6 +134,18 @@ Nodal<double, E::nodes> forces(const E& element, const SymmetricTensor<double>& 
   return respond(element, ConstantStress{sigma}, x, Nodal<double, E::nodes>::Zero().eval(), 1.0).force;
 }
 
+/// Whether the trilinear map of the corners is positive at each of them.
+inline bool is_convex(const Nodal<double, 8>& x) {
+  constexpr int neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
+                                    {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
+  for (int I = 0; I < 8; ++I) {
+    Eigen::Matrix3d edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = x.col(neighbours[I][k]) - x.col(I);
+    if (!(edges.determinant() > 0)) return false;
+  }
+  return true;
+}
+
 inline double size(const auto& x) { return (x.colwise() - x.rowwise().mean()).cwiseAbs().maxCoeff(); }
 
 }  // namespace detail

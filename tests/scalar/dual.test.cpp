@@ -44,7 +44,7 @@ const double points[] = {0.03, 0.4, 1, 1.7, 2, 30};
 
 }  // namespace
 
-TEST_CASE("A variable has derivative 1 by itself and 0 by the others; a constant has none") {
+TEST_CASE("A variable has derivative 1 by itself and 0 by the others, a constant has none") {
   const D x = D::variable(3, 1);
   CHECK(x.value() == 3);
   CHECK(x.derivative(0) == 0);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -130,8 +129,8 @@ class SingleElement {
     return history;
   }
 
-  /// Its free vibrations about where it stands, by central differences of its forces. What acts in compression only
-  /// shows if the nodes move: give their `velocities`.
+  /// Its free vibrations about where it stands, by difference quotients of its forces in the direction in which it
+  /// expands: what acts in compression only shows if the nodes move, at `velocities`.
   ElementVibration vibration(const Vectors& velocities = Vectors::Zero()) const {
     const double dt = 0.01 * record_.stable_step;
     const Eigen::MatrixXd one = slope(velocities, dt), two = slope(velocities, 2 * dt);  // dt K + C
@@ -155,23 +154,30 @@ class SingleElement {
 
   /// df/dv over a step dt that ends where the element stands, but for what v changes.
   Eigen::MatrixXd slope(const Vectors& velocities, double dt) const {
-    const double h = 1e-7 * shortest_distance() / dt;
-    const auto force = [&](int j, double change) -> Vectors {
+    const double h = 3e-8 * wave_path() / dt;  // balances the rounding and the curvature
+    const auto response = [&](int j, double change) {
       Vectors x = record_.x, v = velocities;
       x(j) += dt * change, v(j) += change;
       State scratch = state_;
-      return element_.advance(scratch, material_, x, v, dt).force;
+      return element_.advance(scratch, material_, x, v, dt);
     };
+    const Vectors still = response(0, 0).force;
     Eigen::MatrixXd A(3 * n, 3 * n);
-    for (int j = 0; j < 3 * n; ++j) A.col(j) = Vectors(force(j, h) - force(j, -h)).reshaped() / (2 * h);
+    for (int j = 0; j < 3 * n; ++j) {
+      const auto up = response(j, h), down = response(j, -h);
+      const Vectors change = up.volume > down.volume ? Vectors(up.force - still) : Vectors(still - down.force);
+      A.col(j) = change.reshaped() / h;
+    }
     return A;
   }
 
-  double shortest_distance() const {
-    double shortest = std::numeric_limits<double>::max();
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < i; ++j) shortest = std::min(shortest, (record_.x.col(i) - record_.x.col(j)).norm());
-    return shortest;
+  /// How far a wave travels in a stable step: the length by which a small displacement is small.
+  double wave_path() const {
+    double modulus = 0;
+    state_.each_point([&](const auto& state) {
+      modulus = std::max(modulus, material_.moduli(state, typename E::Kinematics::template Rate<double>{}).wave());
+    });
+    return std::sqrt(modulus / material_.density()) * record_.stable_step;
   }
 
   E element_;
