@@ -45,7 +45,8 @@ void crushes_quietly(const E& element, double thickness, double rate) {
 
 }  // namespace
 
-TEST_CASE("D3: a flat element is damped by the length of its own step: the energy falls monotonically, the step does not") {
+TEST_CASE(
+    "D3: a flat element is damped by the length of its own step: the energy falls monotonically, the step does not") {
   for (const double thickness : {1.0, 1e-3}) {
     const double c_by_l = 4e3 / thickness;
     for (const double rate : {-1e3, -0.01 * c_by_l}) {

@@ -32,7 +32,8 @@ SymmetricTensor<double> spin(const Element& element, double stretch, int revolut
   if (stretch > 0) cube.run(motion::homogeneous(L), 1.0, 1);
   const Nodal<double, 8> X = cube.now().x;
   std::vector<Nodal<double, 8>> circle;
-  for (int i = 0; i < steps_per_revolution; ++i) circle.push_back(turned(X, 2 * std::numbers::pi * i / steps_per_revolution));
+  for (int i = 0; i < steps_per_revolution; ++i)
+    circle.push_back(turned(X, 2 * std::numbers::pi * i / steps_per_revolution));
   circle.push_back(X);
   for (int r = 0; r < revolutions; ++r)
     for (std::size_t i = 1; i < circle.size(); ++i) cube.step(circle[i] - circle[i - 1], 1.0);
@@ -43,8 +44,8 @@ double norm(const SymmetricTensor<double>& a) { return a.matrix().norm(); }
 
 }  // namespace
 
-// 16 steps a revolution, theta = 0.39: the criterion counts steps and the law holds for any angle, so that 1e4 revolutions
-// are 1.6e5 steps here and not 6.3e6.
+// 16 steps a revolution, theta = 0.39: the criterion counts steps and the law holds for any angle, so that 1e4
+// revolutions are 1.6e5 steps here and not 6.3e6.
 TEST_CASE("D8: 1e4 revolutions strain nothing and leave the stress as it was") {
   const int revolutions = 10000, per_revolution = 16;
   const double steps = double(revolutions) * per_revolution;

@@ -1,0 +1,122 @@
+// The verification problems that take longer than a test may: each prints a row of docs/verification.md.
+//
+//   build/bench/bench/verification                 all, some three minutes on one core
+//   build/bench/bench/verification taylor          only those whose name contains a word
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <limits>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include <strike/contact/rigid_wall.hpp>
+#include <strike/element/hex8_full.hpp>
+#include <strike/mesh/box.hpp>
+
+#include "problems/taylor_bar.hpp"
+
+using namespace strike;
+
+namespace {
+
+std::string_view wanted;
+
+struct Band {
+  double reference, tolerance;
+};
+/// Where nothing is known beforehand.
+constexpr Band unknown{std::numeric_limits<double>::quiet_NaN(), 0};
+
+void row(const char* problem, const char* quantity, const Band& band, double ours, const char* unit) {
+  if (std::isnan(band.reference))
+    std::printf("| %s | %s | | | %.5g | %s | |\n", problem, quantity, ours, unit);
+  else
+    std::printf("| %s | %s | %g | %g | %.5g | %s | %s |\n", problem, quantity, band.reference, band.tolerance, ours, unit,
+                std::abs(ours - band.reference) <= band.tolerance ? "yes" : "**no**");
+  std::fflush(stdout);
+}
+bool is_wanted(std::string_view name) { return name.find(wanted) != std::string_view::npos; }
+
+/// The bar after 80 us.
+template <class Run>
+void report_bar(const char* name, Run& run, const Band& L, const Band& R, const Band& strain) {
+  double drift = 0;
+  const std::clock_t begin = std::clock();
+  run.until(taylor::mm_ms_kg.end, [&] { drift = std::max(drift, std::abs(run.energy().error())); });
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  row(name, "length", L, taylor::length(run), "mm");
+  row(name, "radius of the foot", R, taylor::radius(run), "mm");
+  row(name, "largest plastic strain", strain, taylor::plastic_strain(run), "");
+  row(name, "error of the balance", {0, 0.1}, 100 * drift, "%");
+  row(name, "hourglass energy", {0, 2}, 100 * run.energy().hourglass / run.energy().initial, "% of the first");
+  double lift = 0;
+  for (const auto& x : run.positions())
+    if (std::hypot(x.x(), x.y()) < 1e-6) lift = lift == 0 ? x.z() : std::min(lift, x.z());
+  std::printf("<!-- %s: %zu steps, %.1f s, the middle of the foot at z = %.3f mm -->\n", name, run.steps(), seconds,
+              lift);
+}
+
+/// With a wall that can push only: no node is held on it.
+auto bar_on_unilateral_wall(Index cells, Index layers) {
+  const Mesh mesh = cylinder({.radius = 3.2, .length = 32.4, .cells = cells, .layers = layers});
+  const auto on = [&](Axis axis) { return nodes_where(mesh.nodes, on_plane(axis, 0)); };
+  return Explicit{Scene{mesh.nodes, Part{Hex8{}, taylor::copper(taylor::mm_ms_kg), mesh.hexahedra},
+                        InitialVelocity{{0, 0, -227}}, Symmetry{Axis::x, on(Axis::x)}, Symmetry{Axis::y, on(Axis::y)},
+                        RigidWall{{0, 0, 0}, {0, 0, 1}}}};
+}
+
+struct RandomVelocity {
+  template <class N>
+  void begin(N& nodes) const {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(-1e-6, 1e-6);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (int c = 0; c < 3; ++c) nodes.v(i)(c) = uniform(random);
+  }
+};
+
+/// 8 x 8 x 8 free cubes at nu = 0.4999 for 1e5 steps at 0.9 of the stable step.
+template <class E>
+void incompressible_cubes(const char* name, const E& element) {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {8, 8, 8}});
+  const Elastic material{.reference_density = 1000, .youngs_modulus = 1e9, .poissons_ratio = 0.4999};
+  Explicit run{Scene{mesh.nodes, Part{element, material, mesh.hexahedra}, RandomVelocity{}}};
+  double drift = 0;
+  while (run.steps() < 100000) {
+    run.step();
+    drift = std::max(drift, std::abs(run.energy().error()));
+  }
+  const double c = std::sqrt((material.bulk_modulus() + 4 * material.shear_modulus() / 3) / material.density());
+  row(name, "error of the balance after 1e5 steps", {0, 1e-3}, drift, "");
+  std::printf("<!-- %s: stable step %.4f h/c, kinetic energy %.3g of the first -->\n", name, run.stable_step().dt * c * 8,
+              run.energy().kinetic / run.energy().initial);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  wanted = count > 1 ? arguments[1] : "";
+  std::printf("| problem | quantity | reference | tolerance | ours | unit | within |\n|---|---|--:|--:|--:|---|---|\n");
+  const auto usual = [](const char* name, Index cells, const Band& L, const Band& R, const Band& strain) {
+    if (!is_wanted(name)) return;
+    auto run = taylor::bar(taylor::mm_ms_kg, cells, 50 * cells / 3, in<Pack<double>>);
+    report_bar(name, run, L, R, strain);
+  };
+  const auto full = [](const char* name, Index cells) {
+    if (!is_wanted(name)) return;
+    auto run = taylor::bar(taylor::mm_ms_kg, cells, 50 * cells / 3, in<Pack<double>>, Hex8Full{});
+    report_bar(name, run, unknown, unknown, unknown);
+  };
+  usual("taylor 3x50", 3, {21.47, 0.08}, {7.08, 0.08}, {2.92, 0.12});
+  if (is_wanted("taylor 3x50 unilateral")) {
+    auto run = bar_on_unilateral_wall(3, 50);
+    report_bar("taylor 3x50 unilateral", run, unknown, unknown, unknown);
+  }
+  full("taylor 3x50, fully integrated", 3);
+  usual("taylor 6x100", 6, {21.45, 0.03}, {7.18, 0.03}, {3.19, 0.06});
+  full("taylor 6x100, fully integrated", 6);
+  usual("taylor 9x150", 9, {21.434, 0.02}, {7.19, 0.02}, unknown);
+  if (is_wanted("D2 undamped")) incompressible_cubes("D2 undamped", Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}});
+  if (is_wanted("D2 with its damping")) incompressible_cubes("D2 with its damping", Hex8{});
+}
