@@ -37,8 +37,9 @@ struct Tetrahedron {
     const Gradient<T> g(x);
     const Nodal<T, 4> b = (1.0 / g.volume) * g.B;
     const Matrix3<T> L = MidStep{}(Matrix3<T>(v.lazyProduct(b.transpose())), dt);
-    turn_tensors(HughesWinget{}.turn(Vector3<T>(T(dt) * axial_vector(L))), state.material);
-    const SolidKinematics::Rate<T> rate{symmetric_part(L), g.volume / state.initial_volume};
+    const Vector3<T> spin = T(dt) * axial_vector(L);
+    turn_tensors(HughesWinget{}.turn(spin), state.material);
+    const SolidKinematics::Rate<T> rate{MidStep{}.to_end(spin)(symmetric_part(L)), g.volume / state.initial_volume};
     const T dV = volume_increment<T>(g.volume, dt * trace(rate.rate_of_deformation));
     const auto [sigma, work] = advance_point(material, state.material, rate, dt, g.volume, dV);
 

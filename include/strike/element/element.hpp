@@ -4,6 +4,7 @@
 
 #include <strike/material/elastic.hpp>
 #include <strike/material/material.hpp>
+#include <strike/tensor/rotation.hpp>
 
 namespace strike {
 
@@ -49,17 +50,25 @@ void turn_tensors(const Turn& turn, State& state) {
     std::apply([&](auto&... tensor) { ((tensor = turn(tensor)), ...); }, state.spatial_tensors());
 }
 
-/// The velocity gradient at the end of a step, as it is: cheaper, and a rotation by theta per step strains by 1 -
-/// cos(theta).
+// Where in a step the motion is measured: the velocity gradient there, and `to_end(w)`, which carries what is measured
+// there to the end of the step; w is the axial vector of the step's spin, skew(L) dt.
+
+/// At the end of the step: cheaper, and a rotation by theta per step strains by 1 - cos(theta).
 struct EndStep {
   template <class T>
   Matrix3<T> operator()(const Matrix3<T>& L, double) const {
     return L;
   }
+  template <class T>
+  auto to_end(const Vector3<T>&) const {
+    return [](const auto& tensor) { return tensor; };
+  }
 };
 
-/// The velocity gradient in the middle of the step from that at its end, L_mid = L (I - dt/2 L)^-1: exact in a
-/// homogeneous motion, and a rotation strains nothing.
+/// In the middle of the step, from the gradient at its end, L_mid = L (I - dt/2 L)^-1: exact in a homogeneous motion,
+/// and a rotation strains nothing. Half the spin is still to come, by which the rate of deformation is turned: without
+/// that the stress would answer askew by theta/2, and modes of one frequency w would feed each other, each growing by
+/// exp(w dt theta/2) a step.
 struct MidStep {
   template <class T>
   Matrix3<T> operator()(const Matrix3<T>& L, double dt) const {
@@ -71,6 +80,10 @@ struct MidStep {
     Matrix3<T> mid;
     for (int j = 0; j < 3; ++j) mid.col(j) = w * (L.col(0) * qr(j) + L.col(1) * rp(j) + L.col(2) * pq(j));
     return mid;
+  }
+  template <class T>
+  auto to_end(const Vector3<T>& w) const {
+    return Jaumann{}.turn(Vector3<T>(0.5 * w));  // first order is enough: where a motion is rigid nothing is turned
   }
 };
 

@@ -36,7 +36,7 @@ struct Hex8 {
     T inverse_volume{};  ///< 1/V0
     [[no_unique_address]] typename Viscosity::template State<T> viscosity{};
     [[no_unique_address]] typename Hourglass::template State<T> hourglass{};
-    typename M::template State<T> material{};
+    [[no_unique_address]] typename M::template State<T> material{};
 
     template <class F>
     void each_point(F f) const {
@@ -64,11 +64,13 @@ struct Hex8 {
 
     const Matrix3<T> L = g.gradient_of(u, per_volume);
     const Matrix3<T> L_mid = instant(L, dt);
-    const SolidKinematics::Rate<T> rate{symmetric_part(L_mid), J};
+    const Vector3<T> spin = T(dt) * axial_vector(L_mid);
+    const auto to_end = instant.to_end(spin);
+    const SolidKinematics::Rate<T> rate{to_end(symmetric_part(L_mid)), J};
     const T theta = trace(rate.rate_of_deformation);
     const T dV = volume_increment<T>(V, dt * theta);
 
-    const auto turn = rotation.turn(Vector3<T>(T(dt) * axial_vector(L_mid)));
+    const auto turn = rotation.turn(spin);
     turn_tensors(turn, state.material);
     turn_tensors(turn, state.hourglass);
 
@@ -100,7 +102,11 @@ struct Hex8 {
           rho,  V, T((1.0 / material.density()) * state.inverse_volume), moduli.wave(), moduli.shear, stability.trace,
           T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
-        return u_k - L.col(0) * m_k(0) - L.col(1) * m_k(1) - L.col(2) * m_k(2);
+        const Vector3<T> rate_k = u_k - L.col(0) * m_k(0) - L.col(1) * m_k(1) - L.col(2) * m_k(2);
+        if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
+          return rate_k;
+        else
+          return to_end(rate_k);
       };
       const HourglassModes<T> rates{rate_of(u.b1, m.b1), rate_of(u.b2, m.b2), rate_of(u.b3, m.b3), rate_of(u.d, m.d)};
       const HourglassModes<T> Q = hourglass.resistance(state.hourglass, element, rates);

@@ -72,9 +72,9 @@ struct Hex8Full {
       const T intact = intact_share<T>(material, state.material[i]);
       const T inverse = select(intact > 0.0, 1.0 / V_g, T(0.0));
       const Matrix3<T> L = instant(measure.map.gradient(point.derivatives(u), inverse), dt);
-      const SymmetricTensor<T> D = symmetric_part(L);
+      measure.spin = T(dt) * axial_vector(L);
+      const SymmetricTensor<T> D = instant.to_end(measure.spin)(symmetric_part(L));
       measure.rate = {D + SymmetricTensor<T>::isotropic((1.0 / 3.0) * (theta - trace(D))), J};
-      measure.spin = axial_vector(L);
       measure.dV = volume_increment<T>(V_g, dt * trace(D));
 
       laplacian.add(point, measure.map, inverse);
@@ -103,7 +103,7 @@ struct Hex8Full {
     for (std::size_t i = 0; i < points; ++i) {
       const auto& [map, rate, spin, dV_g] = measures[i];
       auto& point_state = state.material[i];
-      turn_tensors(rotation.turn(Vector3<T>(T(dt) * spin)), point_state);
+      turn_tensors(rotation.turn(spin), point_state);
       heat(point_state, response.bulk_viscosity_work * state.inverse_volume);
       const auto [sigma, work] = advance_point(material, point_state, rate, dt, map.volume, dV_g);
       response.internal_work += work;

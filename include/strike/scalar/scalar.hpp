@@ -2,6 +2,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <type_traits>
 
 #include <strike/scalar/math.hpp>
@@ -113,6 +114,15 @@ constexpr void set_lane(T& a, std::size_t i, std::type_identity_t<LaneOf<T>> val
     a.set(i, value);
   else
     (void)i, a = value;
+}
+
+/// An aggregate of nothing but numbers T, such as the state of an element, as the range of them.
+template <class T, class Aggregate>
+auto numbers_of(Aggregate& aggregate) {
+  using Number = std::conditional_t<std::is_const_v<Aggregate>, const T, T>;
+  static_assert(sizeof(Aggregate) % sizeof(T) == 0 && std::is_trivially_destructible_v<Aggregate>);
+  return std::span<Number, sizeof(Aggregate) / sizeof(T)>(reinterpret_cast<Number*>(&aggregate),
+                                                          sizeof(Aggregate) / sizeof(T));
 }
 
 }  // namespace strike

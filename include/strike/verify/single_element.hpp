@@ -11,6 +11,7 @@
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
 #include <strike/output/history.hpp>
+#include <strike/scalar/dual.hpp>
 
 namespace strike {
 
@@ -31,6 +32,7 @@ struct ElementRecord {
 
 /// How the forces of an element answer to small motions of its 3n coordinates, node after node: f = K x + C v, with the
 /// mass m at each node.
+template <class E>
 struct ElementVibration {
   Eigen::MatrixXd stiffness, damping;
   double mass = 0;
@@ -129,10 +131,10 @@ class SingleElement {
     return history;
   }
 
-  /// Its free vibrations about where it stands, by difference quotients of its forces in the direction in which it
-  /// expands: what acts in compression only shows if the nodes move, at `velocities`.
-  ElementVibration vibration(const Vectors& velocities = Vectors::Zero()) const {
-    const double dt = 0.01 * record_.stable_step;
+  /// Its free vibrations about where it stands, from the exact derivatives of its forces by dual numbers. Bulk
+  /// viscosity, which acts in compression only, shows if the nodes move, at `velocities`.
+  ElementVibration<E> vibration(const Vectors& velocities = Vectors::Zero()) const {
+    const double dt = 1e-6 * record_.stable_step;
     const Eigen::MatrixXd one = slope(velocities, dt), two = slope(velocities, 2 * dt);  // dt K + C
     const auto symmetric = [](const Eigen::MatrixXd& A) -> Eigen::MatrixXd { return 0.5 * (A + A.transpose()); };
     return {.stiffness = symmetric((two - one) / dt), .damping = symmetric(2 * one - two), .mass = mass_};
@@ -154,30 +156,21 @@ class SingleElement {
 
   /// df/dv over a step dt that ends where the element stands, but for what v changes.
   Eigen::MatrixXd slope(const Vectors& velocities, double dt) const {
-    const double h = 3e-8 * wave_path() / dt;  // balances the rounding and the curvature
-    const auto response = [&](int j, double change) {
-      Vectors x = record_.x, v = velocities;
-      x(j) += dt * change, v(j) += change;
-      State scratch = state_;
-      return element_.advance(scratch, material_, x, v, dt);
-    };
-    const Vectors still = response(0, 0).force;
+    using D = Dual<double, 3>;
     Eigen::MatrixXd A(3 * n, 3 * n);
-    for (int j = 0; j < 3 * n; ++j) {
-      const auto up = response(j, h), down = response(j, -h);
-      const Vectors change = up.volume > down.volume ? Vectors(up.force - still) : Vectors(still - down.force);
-      A.col(j) = change.reshaped() / h;
+    for (int node = 0; node < n; ++node) {
+      typename E::template State<M, D> state;
+      std::ranges::copy(numbers_of<double>(state_), numbers_of<D>(state).begin());
+      Nodal<D, n> x = record_.x.template cast<D>(), v = velocities.template cast<D>();
+      for (int i = 0; i < 3; ++i) {
+        const D change = D::variable(0, static_cast<std::size_t>(i));
+        x(i, node) += dt * change, v(i, node) += change;
+      }
+      const Nodal<D, n> force = element_.advance(state, material_, x, v, dt).force;
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3 * n; ++k) A(k, 3 * node + i) = force(k).derivative(static_cast<std::size_t>(i));
     }
     return A;
-  }
-
-  /// How far a wave travels in a stable step: the length by which a small displacement is small.
-  double wave_path() const {
-    double modulus = 0;
-    state_.each_point([&](const auto& state) {
-      modulus = std::max(modulus, material_.moduli(state, typename E::Kinematics::template Rate<double>{}).wave());
-    });
-    return std::sqrt(modulus / material_.density()) * record_.stable_step;
   }
 
   E element_;
