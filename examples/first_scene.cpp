@@ -20,4 +20,8 @@ int main() {  // millimetres, milliseconds, kilograms; so kN, GPa and J
   Picture picture{{.title = "Taylor bar at 80 us", .quantity = "plastic strain", .mirror = {Axis::x, Axis::y}}};
   picture.add(surface(bar), run.positions(), strain());
   picture.write("bar.svg");
+
+  Results results;
+  results.add({"energy error", run.energy().error(), "1", 0, 1e-3, "balance"});
+  results.write("results.csv");
 }

@@ -2,6 +2,8 @@
 // differentiates it.
 //
 //   bash examples/run same_formula
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <type_traits>
 
@@ -46,13 +48,22 @@ int main(int count, char** arguments) {
     std::puts("Eight numbers at once, of which those above 2500 m/s yield:");
     const auto speeds = Pack<double, 8>::generate([](std::size_t i) { return 1000.0 * static_cast<double>(i); });
     const auto forces = axial_force(speeds);
-    for (std::size_t i = 0; i < 8; ++i)
-      std::printf("  %4.0f m/s     %14.6e N, alone %14.6e N\n", speeds[i], forces[i], axial_force(speeds[i]));
+    double worst = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const double alone = axial_force(speeds[i]);
+      std::printf("  %4.0f m/s     %14.6e N, alone %14.6e N\n", speeds[i], forces[i], alone);
+      worst = std::max(worst, std::abs(forces[i] - alone) / 1e9);
+    }
 
     std::puts("\nA number with its derivative, the tangent of the step:");
     const Dual<double, 1> force = axial_force(Dual<double, 1>::variable(100.0, 0));
     const double h = 1e-3, quotient = (axial_force(100.0 + h) - axial_force(100.0 - h)) / (2 * h);
     std::printf("  100 m/s      %14.6e N, d force/d speed %14.6e, by differences %14.6e N s/m\n", force.value(),
                 force.derivative(0), quotient);
+
+    Results results;
+    results.add({"eight forces together from each alone", worst, "GN", 0, 1e-15, "the same formula on double"});
+    results.add({"d force/d speed", force.derivative(0), "N s/m", quotient, 1e-6 * std::abs(quotient), "differences"});
+    results.write("results.csv");
   });
 }

@@ -1,7 +1,7 @@
 #include "conformance/element.hpp"
 
-#include <strike/element/hex8.hpp>
-#include <strike/element/hex8_full.hpp>
+#include <strike/element/solid_point.hpp>
+#include <strike/element/stable_step.hpp>
 
 using namespace strike;
 using testing::conforms;
@@ -80,20 +80,7 @@ Nodal<double, 4> tetrahedron() {
 
 }  // namespace
 
-TEST_CASE("conformance: Hex8") { conforms(Hex8{}); }
-TEST_CASE("conformance: Hex8 with stiffness hourglass control") { conforms(Hex8{StiffnessHourglass{}}); }
-TEST_CASE("conformance: Hex8 without hourglass control or bulk viscosity") {
-  conforms(Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}});
-}
-TEST_CASE("conformance: Hex8 of Jaumann") { conforms(Hex8{ViscousHourglass{}, Jaumann{}}); }
-TEST_CASE("conformance: Hex8 measured at the end of the step") {
-  conforms(Hex8{ViscousHourglass{}, HughesWinget{}, BulkViscosity{}, EndStep{}}, FiniteRotations::strain);
-}
-TEST_CASE("conformance: Hex8Full") { conforms(Hex8Full{}); }
-TEST_CASE("conformance: Hex8Full of Jaumann without bulk viscosity") {
-  conforms(Hex8Full{Jaumann{}, NoBulkViscosity{}});
-}
 TEST_CASE("conformance: an element of a test's own") { conforms(Tetrahedron{}, FiniteRotations::exact, tetrahedron()); }
 
-static_assert(Element<Hex8<>> && Element<Hex8Full<>> && Element<Tetrahedron>);
+static_assert(Element<Tetrahedron>);
 static_assert(!Element<int> && !Element<Elastic> && !Element<HughesWinget>);

@@ -64,7 +64,7 @@ TEST_CASE("the points add up to the volume and the mean gradient of the element"
 TEST_CASE("the largest eigenvalue of the Laplacian is bounded, sharply") {
   const auto ratio = [](const Nodal<double, 8>& x) {
     Hex8Laplacian<double> laplacian;
-    Eigen::Matrix<double, 8, 8> H = Eigen::Matrix<double, 8, 8>::Zero();
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(8, 8);
     for (std::size_t i = 0; i < 8; ++i) {
       const Hex8Point point(i);
       const Hex8Map<double> map(point.derivatives(to_modes<double>(x)));
@@ -72,7 +72,7 @@ TEST_CASE("the largest eigenvalue of the Laplacian is bounded, sharply") {
       const Eigen::Matrix<double, 3, 8> gradient = map.cofactors * shape_derivatives(point).transpose() / map.volume;
       H += map.volume * gradient.transpose() * gradient;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 8, 8>> modes(H, Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(H, Eigen::EigenvaluesOnly);
     return laplacian.largest_eigenvalue() / modes.eigenvalues()(7);
   };
   CHECK(ratio(unit_cube()) == Approx(1).epsilon(2e-3));  // what largest_eigenvalue may give too much

@@ -26,7 +26,7 @@ using Floats8 = Pack<float, 8>;
 using Floats16 = Pack<float, 16>;
 using Floats32 = Pack<float, 32>;
 
-struct Error {
+struct Deviation {
   double ulps = 0;
   double x = 0;
   double y = 0;
@@ -37,8 +37,8 @@ using Number = typename P::value_type;
 
 /// The largest error of f over the samples.
 template <class P, class F, class Exact>
-Error worst(F f, Exact exact, const std::vector<Number<P>>& samples) {
-  Error worst;
+Deviation worst(F f, Exact exact, const std::vector<Number<P>>& samples) {
+  Deviation worst;
   for (std::size_t i = 0; i < samples.size(); i += P::size()) {
     const P x = P::generate([&](std::size_t lane) { return samples[(i + lane) % samples.size()]; });
     const P result = f(x);
@@ -51,8 +51,8 @@ Error worst(F f, Exact exact, const std::vector<Number<P>>& samples) {
 }
 
 template <class P>
-Error worst_pow(const std::vector<Number<P>>& xs, const std::vector<Number<P>>& ys) {
-  Error worst;
+Deviation worst_pow(const std::vector<Number<P>>& xs, const std::vector<Number<P>>& ys) {
+  Deviation worst;
   for (std::size_t i = 0; i < xs.size(); i += P::size()) {
     const P x = P::generate([&](std::size_t lane) { return xs[(i + lane) % xs.size()]; });
     const P y = P::generate([&](std::size_t lane) { return ys[(i + lane) % ys.size()]; });
@@ -68,7 +68,7 @@ Error worst_pow(const std::vector<Number<P>>& xs, const std::vector<Number<P>>& 
 
 #define CHECK_WITHIN_BOUND(error_) \
   do {                             \
-    const Error e = error_;        \
+    const Deviation e = error_;    \
     CAPTURE(e.ulps, e.x, e.y);     \
     CHECK(e.ulps <= bound);        \
   } while (false)

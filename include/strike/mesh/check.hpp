@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -26,7 +25,7 @@ inline constexpr double flat = 1e-9;
 /// they lie in a plane, negative if the cell is inside out there ("scaled Jacobian").
 inline double corner_sine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double lengths = a.norm() * b.norm() * c.norm();
-  return lengths > 0 ? a.cross(b).dot(c) / lengths : 0;
+  return lengths > 0 ? cross(a, b).dot(c) / lengths : 0;
 }
 
 template <std::size_t N>
@@ -97,7 +96,7 @@ inline void check(const Mesh& mesh) {
     for (std::size_t i = 0; i < 4; ++i) {
       const Eigen::Vector3d& x = nodes[cell[i]];
       const Eigen::Vector3d next = nodes[cell[(i + 1) % 4]] - x, last = nodes[cell[(i + 3) % 4]] - x;
-      if (!(next.cross(last).dot(area) > detail::flat * next.norm() * last.norm() * area.norm()))
+      if (!(cross(next, last).dot(area) > detail::flat * next.norm() * last.norm() * area.norm()))
         throw Error(detail::joined({detail::cell_text<4>("Quadrilateral", e, nodes, cell),
                                     " is crossed, concave or flat at corner ", std::to_string(i),
                                     ": list its corners in order around a convex shape."}));

@@ -2,10 +2,9 @@
 #include <array>
 #include <span>
 
-#include <Eigen/Geometry>
-
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/surface.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
@@ -18,7 +17,7 @@ inline double hexahedron_volume(std::span<const Eigen::Vector3d> nodes, const st
   for (const auto& corners : detail::hexahedron_faces) {
     const Eigen::Vector3d a = nodes[cell[corners[0]]] - apex, b = nodes[cell[corners[1]]] - apex,
                           c = nodes[cell[corners[2]]] - apex, d = nodes[cell[corners[3]]] - apex;
-    volume += (a + b).dot(c.cross(d)) + (c + d).dot(a.cross(b));
+    volume += (a + b).dot(cross(c, d)) + (c + d).dot(cross(a, b));
   }
   return volume / 12;
 }
@@ -26,7 +25,7 @@ inline double hexahedron_volume(std::span<const Eigen::Vector3d> nodes, const st
 /// Volume of a tetrahedron [length^3]; negative if it is inside out.
 inline double tetrahedron_volume(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 4>& cell) {
   const Eigen::Vector3d &a = nodes[cell[0]], &b = nodes[cell[1]], &c = nodes[cell[2]], &d = nodes[cell[3]];
-  return (b - a).cross(c - a).dot(d - a) / 6;
+  return cross<double>(b - a, c - a).dot(d - a) / 6;
 }
 
 /// Area of a quadrilateral [length^2]; of a warped one, the size of its vector area.

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -25,7 +24,7 @@ struct Face {
 /// Area of a face times its outward unit normal [length^2]; of a warped face, the vector area.
 inline Eigen::Vector3d area_vector(std::span<const Eigen::Vector3d> nodes, const Face& face) {
   const auto& [a, b, c, d] = face.nodes;
-  return 0.5 * (nodes[c] - nodes[a]).cross(nodes[d] - nodes[b]);
+  return 0.5 * cross<double>(nodes[c] - nodes[a], nodes[d] - nodes[b]);
 }
 
 /// Mean position of the corners of a face [length].

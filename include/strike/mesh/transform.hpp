@@ -8,10 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
@@ -32,7 +31,7 @@ inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
   const Eigen::Vector3d n = axis.normalized();
   const double c = std::cos(angle), s = std::sin(angle);
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {  // Rodrigues' formula
-    return Eigen::Vector3d(c * x + s * n.cross(x) + (1 - c) * n.dot(x) * n);
+    return Eigen::Vector3d(c * x + s * cross(n, x) + (1 - c) * n.dot(x) * n);
   });
 }
 

@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/select.hpp>
@@ -17,6 +15,7 @@
 #include <strike/output/colour.hpp>
 #include <strike/output/file.hpp>
 #include <strike/output/svg.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -49,10 +48,14 @@ class Picture {
     if (!(options_.from.norm() > 0) || !(options_.up.norm() > 0))
       throw Error("A picture needs a direction to the eye and one upward: give vectors that are not zero.");
     toward_ = options_.from.normalized();
-    right_ = options_.up.cross(toward_);
-    if (right_.norm() < 1e-6 * options_.up.norm()) right_ = toward_.unitOrthogonal();  // the eye is right above
+    right_ = cross(options_.up, toward_);
+    if (right_.norm() < 1e-6 * options_.up.norm()) {  // the eye is right above
+      Eigen::Index least = 0;
+      toward_.cwiseAbs().minCoeff(&least);
+      right_ = cross<double>(Eigen::Vector3d::Unit(least), toward_);
+    }
     right_.normalize();
-    up_ = toward_.cross(right_);
+    up_ = cross(toward_, right_);
   }
 
   /// Adds a surface with the positions of the nodes and `values[face.cell]`; without values it is plain grey.

@@ -39,10 +39,8 @@ struct ElementVibration {
 
   /// Angular frequencies without damping, ascending.
   Eigen::VectorXd frequencies() const {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness / mass, Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .cwiseMax(0)
-        .cwiseSqrt();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, Eigen::EigenvaluesOnly);
+    return (modes.eigenvalues() / mass).cwiseMax(0).cwiseSqrt();
   }
 
   /// The largest stable step of central differences whose damping lags half a step,
@@ -53,7 +51,8 @@ struct ElementVibration {
   double critical_step() const {
     double rate = 0;
     for (int i = 0; i < 30; ++i) {
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.25 * stiffness + 0.5 * rate * damping);
+      const Eigen::MatrixXd both = 0.25 * stiffness + 0.5 * rate * damping;
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(both);
       const auto phi = modes.eigenvectors().col(stiffness.rows() - 1);
       const double k = phi.dot(stiffness * phi) / mass, c = phi.dot(damping * phi) / mass;
       const double before = std::exchange(rate, 0.25 * c + 0.5 * std::sqrt(0.25 * c * c + k));
