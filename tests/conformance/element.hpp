@@ -341,8 +341,8 @@ void stable_step_is_safe(const E& element, Shapes<E::nodes> shapes) {
     CHECK(single.vibration().critical_step() >= (1 - 1e-9) * single.now().stable_step);
 
     const Nodal<double, E::nodes> v = -0.02 / single.now().stable_step * x;
-    const double exact = single.vibration(v).critical_step();
-    CHECK(exact >= (1 - 1e-9) * single.step(v, 1e-9 * single.now().stable_step).stable_step);
+    const double exact = single.vibration(v).critical_step();  // by motions of a millionth of a step
+    CHECK(exact >= (1 - 1e-7) * single.step(v, 1e-9 * single.now().stable_step).stable_step);
   }
 }
 

@@ -53,7 +53,7 @@ class Chart {
   explicit Chart(ChartOptions options) : options_(std::move(options)) {}
 
   /// A line through the points. Errors: x and y of different length; a value that a logarithmic axis cannot show.
-  void curve(std::string name, std::span<const double> x, std::span<const double> y, Style style = {}) {
+  [[gnu::cold]] void curve(std::string name, std::span<const double> x, std::span<const double> y, Style style = {}) {
     if (x.size() != y.size())
       throw Error(detail::joined({"Curve '", name, "' has ", std::to_string(x.size()), " x and ",
                                   std::to_string(y.size()), " y: give as many of both."}));
@@ -85,7 +85,7 @@ class Chart {
   void write(const std::string& path) const { detail::replace_file(path, svg()); }
 
   /// The SVG text.
-  std::string svg() const {
+  [[gnu::cold]] std::string svg() const {
     if (curves_.empty()) throw Error(detail::joined({"The chart '", options_.title, "' has no curve: add one first."}));
     constexpr double left = 84, right = 32, margin = 32;
     detail::Svg svg;
@@ -198,7 +198,7 @@ class Chart {
     double fraction(double value) const {
       return logarithmic() ? std::log(value / lower) / std::log(upper / lower) : (value - lower) / (upper - lower);
     }
-    std::vector<std::pair<double, std::string>> marks() const {
+    [[gnu::cold]] std::vector<std::pair<double, std::string>> marks() const {
       std::vector<std::pair<double, std::string>> list;
       if (!logarithmic()) {
         for (const double at : ticks.in(lower, upper)) list.emplace_back(at, ticks.label(at));
@@ -232,7 +232,7 @@ class Chart {
   };
 
   /// Outline of a marker of radius r.
-  static std::string marker_path(Marker marker, double x, double y, double r) {
+  [[gnu::cold]] static std::string marker_path(Marker marker, double x, double y, double r) {
     using Corners = std::vector<std::array<double, 2>>;
     const auto through = [&](const Corners& corners, std::string_view end) {
       std::string path;
@@ -258,7 +258,7 @@ class Chart {
   }
 
   template <class X, class Y>
-  static void draw(detail::Svg& svg, const Curve& curve, const X& px, const Y& py) {
+  [[gnu::cold]] static void draw(detail::Svg& svg, const Curve& curve, const X& px, const Y& py) {
     std::string line, markers;
     double last_x = 0, last_y = 0;
     bool pen_down = false;
@@ -294,7 +294,7 @@ class Chart {
   }
 
   /// Names of the curves in a row below the title; gives the y below them.
-  double draw_legend(detail::Svg& svg, double margin, double y) const {
+  [[gnu::cold]] double draw_legend(detail::Svg& svg, double margin, double y) const {
     double x = margin;
     for (const Curve& curve : curves_) {
       if (curve.name.empty()) continue;

@@ -44,7 +44,7 @@ struct PictureOptions {
 /// Parallel projection; faces are drawn from the back to the front by the depth of their centres.
 class Picture {
  public:
-  explicit Picture(PictureOptions options) : options_(std::move(options)) {
+  [[gnu::cold]] explicit Picture(PictureOptions options) : options_(std::move(options)) {
     if (!(options_.from.norm() > 0) || !(options_.up.norm() > 0))
       throw Error("A picture needs a direction to the eye and one upward: give vectors that are not zero.");
     toward_ = options_.from.normalized();
@@ -82,7 +82,7 @@ class Picture {
   void write(const std::string& path) const { detail::replace_file(path, svg()); }
 
   /// The SVG text.
-  std::string svg() const {
+  [[gnu::cold]] std::string svg() const {
     if (patches_.empty())
       throw Error(detail::joined({"The picture '", options_.title, "' shows no face: add a surface first."}));
     const bool legend = low_ <= high_;  // some face has a value
@@ -194,7 +194,7 @@ class Picture {
   }
 
   /// Faces from the back to the front.
-  void draw_faces(detail::Svg& svg, const Frame& frame, double low, double high) const {
+  [[gnu::cold]] void draw_faces(detail::Svg& svg, const Frame& frame, double low, double high) const {
     std::vector<const Patch*> order;
     for (const Patch& patch : patches_) order.push_back(&patch);
     std::sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
@@ -219,7 +219,7 @@ class Picture {
     svg.close();
   }
 
-  void draw_marks(detail::Svg& svg, const Frame& frame) const {
+  [[gnu::cold]] void draw_marks(detail::Svg& svg, const Frame& frame) const {
     for (const Mark& mark : marks_) {
       const Eigen::Vector3d p = projected(mark.place);
       const double x = frame.x(p), y = frame.y(p);
@@ -231,7 +231,7 @@ class Picture {
   }
 
   /// The bar of colours from y downward; gives the y of its foot.
-  double draw_legend(detail::Svg& svg, double x, double y, double low, double high) const {
+  [[gnu::cold]] double draw_legend(detail::Svg& svg, double x, double y, double low, double high) const {
     constexpr double bar_width = 16, bar_height = 240;
     const double range = high > low ? high - low : std::max(std::abs(high), 1.0);
     const auto ticks = detail::Ticks::between(low, low + range, 5);
@@ -250,7 +250,7 @@ class Picture {
   }
 
   /// A bar of a round length; gives the y of its foot.
-  double draw_scale_bar(detail::Svg& svg, double x, double y, const Frame& frame) const {
+  [[gnu::cold]] double draw_scale_bar(detail::Svg& svg, double x, double y, const Frame& frame) const {
     const double length = detail::Ticks::between(0, frame.width() / frame.scale, 3).step;
     const double end = x + frame.scale * length;
     svg.line(x, y, end, y, "#595959", 1.5);

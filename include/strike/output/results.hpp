@@ -41,7 +41,7 @@ class Results {
   }
 
   /// CSV: quantity,value,unit,reference,tolerance,source; a reference or tolerance that is not given stays empty.
-  void write(const std::string& path) const {
+  [[gnu::cold]] void write(const std::string& path) const {
     std::string text = "quantity,value,unit,reference,tolerance,source\n";
     for (const Result& r : rows_) {
       text +=
@@ -55,7 +55,7 @@ class Results {
   }
 
   /// The table in aligned columns, with the difference from the reference and whether it is within the tolerance.
-  std::string table() const {
+  [[gnu::cold]] std::string table() const {
     using TableRow = std::array<std::string, 8>;
     std::vector<TableRow> lines{{"quantity", "value", "unit", "reference", "difference", "tolerance", "", "source"}};
     for (const Result& r : rows_) {
