@@ -27,11 +27,12 @@ struct RandomVelocity {
 /// 8 x 8 x 8 free cubes without damping of any kind.
 auto cubes(const ExplicitOptions& options) {
   const Mesh mesh = box({.size = {1, 1, 1}, .cells = {8, 8, 8}});
-  return Explicit{Scene{mesh.nodes,
-                        Part{Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}},
-                             Elastic{.reference_density = rho, .youngs_modulus = E, .poissons_ratio = nu}, mesh.hexahedra},
-                        RandomVelocity{}},
-                  options};
+  return Explicit{
+      Scene{mesh.nodes,
+            Part{Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}},
+                 Elastic{.reference_density = rho, .youngs_modulus = E, .poissons_ratio = nu}, mesh.hexahedra},
+            RandomVelocity{}},
+      options};
 }
 
 }  // namespace

@@ -29,29 +29,26 @@ class RigidWall {
   template <class N, class Ledger>
   void touch(N& nodes, const Step& step, Ledger& ledger) {
     using Vector = typename N::Vector;
-    using Real = typename Vector::Scalar;
-    const Vector normal = normal_.cast<Real>(), point = point_.cast<Real>();
-    const Real dt = static_cast<Real>(step.dt), kick = static_cast<Real>(step.kick()),
-               mu = static_cast<Real>(friction_);
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
     for (const Index i : nodes_) {
-      const Real gap = normal.dot(nodes.x(i) - point), approach = normal.dot(nodes.v(i));
-      const Real excess = -(gap + dt * approach);
+      const Eigen::Vector3d x = nodes.x(i).template cast<double>(), v = nodes.v(i).template cast<double>();
+      const double approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
-      const Vector away = nodes.free(i, normal_).template cast<Real>();
-      const Real yielding = away.dot(normal);  // 1 where the node is free to move along the normal, 0 where it is not
-      if (!(yielding > Real(1e-6))) continue;
-      const Vector before = nodes.v(i) - kick / nodes.mass(i) * nodes.f(i);
-      const Real push = nodes.mass(i) * (excess / dt) / yielding;
-      const Vector sliding =
-          nodes.free(i, (nodes.v(i) - approach * normal).template cast<double>()).template cast<Real>();
-      const Real speed = sliding.norm();
-      Vector drag = Vector::Zero();
-      if (mu > 0 && speed > 0) drag = -std::min(mu * push / speed, nodes.mass(i)) * sliding;
-      nodes.v(i) += (push * away + drag) / nodes.mass(i);
-      ledger.contact.book_impulse(-push * away.dot(before), -push * away.dot(nodes.v(i)));
-      ledger.friction.book_impulse(-drag.dot(before), -drag.dot(nodes.v(i)));
-      impulse += (push * away + drag).template cast<double>();
+      const Eigen::Vector3d away = nodes.free(i, normal_);
+      const double yielding =
+          away.dot(normal_);  // 1 where the node is free to move along the normal, 0 where it is not
+      if (!(yielding > 1e-6)) continue;
+      const double mass = static_cast<double>(nodes.mass(i)), push = mass * (excess / step.dt) / yielding;
+      const Eigen::Vector3d sliding = nodes.free(i, v - approach * normal_);
+      const double speed = sliding.norm();
+      const double drag = friction_ > 0 && speed > 0 ? std::min(friction_ * push / speed, mass) : 0.0;
+      const Eigen::Vector3d given = push * away - drag * sliding;
+      const Eigen::Vector3d before = v - (step.kick() / mass) * nodes.f(i).template cast<double>();
+      const Eigen::Vector3d after = v + given / mass;
+      nodes.v(i) = after.template cast<typename Vector::Scalar>();
+      ledger.contact.book_impulse(-push * away.dot(before), -push * away.dot(after));
+      ledger.friction.book_impulse(drag * sliding.dot(before), drag * sliding.dot(after));
+      impulse += given;
     }
     impulse_ += impulse;
     force_ = impulse / step.kick();

@@ -73,17 +73,16 @@ struct MidStep {
   template <class T>
   Matrix3<T> operator()(const Matrix3<T>& L, double dt) const {
     const T h = -0.5 * dt;
-    Vector3<T> p = h * L.col(0), q = h * L.col(1), r = h * L.col(2);
-    p(0) += 1.0, q(1) += 1.0, r(2) += 1.0;
+    const Vector3<T> p{1.0 + h * L(0, 0), h * L(1, 0), h * L(2, 0)}, q{h * L(0, 1), 1.0 + h * L(1, 1), h * L(2, 1)},
+        r{h * L(0, 2), h * L(1, 2), 1.0 + h * L(2, 2)};
     const Vector3<T> qr = cross(q, r), rp = cross(r, p), pq = cross(p, q);
-    const T w = 1.0 / p.dot(qr);
     Matrix3<T> mid;
-    for (int j = 0; j < 3; ++j) mid.col(j) = w * (L.col(0) * qr(j) + L.col(1) * rp(j) + L.col(2) * pq(j));
-    return mid;
+    for (int j = 0; j < 3; ++j) mid.col(j) = times<T>(L, {qr(j), rp(j), pq(j)});
+    return mid *= 1.0 / p.dot(qr);
   }
   template <class T>
   auto to_end(const Vector3<T>& w) const {
-    return Jaumann{}.turn(Vector3<T>(0.5 * w));  // first order is enough: where a motion is rigid nothing is turned
+    return Jaumann{}.turn(Vector3<T>(T(0.5) * w));  // first order is enough: where a motion is rigid nothing is turned
   }
 };
 

@@ -102,7 +102,7 @@ struct Hex8 {
           rho,  V, T((1.0 / material.density()) * state.inverse_volume), moduli.wave(), moduli.shear, stability.trace,
           T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
-        const Vector3<T> rate_k = u_k - L.col(0) * m_k(0) - L.col(1) * m_k(1) - L.col(2) * m_k(2);
+        const Vector3<T> rate_k = u_k - times(L, m_k);
         if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
           return rate_k;
         else
@@ -111,8 +111,9 @@ struct Hex8 {
       const HourglassModes<T> rates{rate_of(u.b1, m.b1), rate_of(u.b2, m.b2), rate_of(u.b3, m.b3), rate_of(u.d, m.d)};
       const HourglassModes<T> Q = hourglass.resistance(state.hourglass, element, rates);
       response.hourglass_work = hourglass.work(element, Q, rates);
-      for (int j = 0; j < 3; ++j)
-        P.col(j) -= per_volume * (Q[0] * m.b1(j) + Q[1] * m.b2(j) + Q[2] * m.b3(j) + Q[3] * m.d(j));
+      Matrix3<T> Qm = outer(Q[0], m.b1);
+      add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
+      P -= per_volume * Qm;
       F.b1 = Q[0], F.b2 = Q[1], F.b3 = Q[2], F.d = Q[3];
 
       response.stable_step = 1.0 / critical_rate(vibration, hourglass.critical_rate(element), hourglass_overlap);
@@ -122,11 +123,8 @@ struct Hex8 {
     }
 
     P *= T(1.0 / 64.0);
-    const auto force = [&](const Vector3<T>& g_k) -> Vector3<T> {
-      return P.col(0) * g_k(0) + P.col(1) * g_k(1) + P.col(2) * g_k(2);
-    };
-    F.a1 = force(g.a1), F.a2 = force(g.a2), F.a3 = force(g.a3);
-    F.b1 += force(g.b1), F.b2 += force(g.b2), F.b3 += force(g.b3);
+    F.a1 = times(P, g.a1), F.a2 = times(P, g.a2), F.a3 = times(P, g.a3);
+    F.b1 += times(P, g.b1), F.b2 += times(P, g.b2), F.b3 += times(P, g.b3);
     response.force = to_nodes(F);
     if constexpr (requires { material.intact(state.material); })
       silence(material.intact(state.material) > 0.0, response);

@@ -15,10 +15,10 @@ struct Hex8Modes {
 /// Nodes to modes: a butterfly along each direction, 23 additions a component.
 template <class T>
 Hex8Modes<T> to_modes(const Nodal<T, 8>& x) {
-  const Vector3<T> s01 = x.col(1) + x.col(0), d01 = x.col(1) - x.col(0), s32 = x.col(2) + x.col(3),
-                   d32 = x.col(2) - x.col(3);
-  const Vector3<T> s45 = x.col(5) + x.col(4), d45 = x.col(5) - x.col(4), s76 = x.col(6) + x.col(7),
-                   d76 = x.col(6) - x.col(7);
+  const Vector3<T> x0 = x.col(0), x1 = x.col(1), x2 = x.col(2), x3 = x.col(3), x4 = x.col(4), x5 = x.col(5),
+                   x6 = x.col(6), x7 = x.col(7);
+  const Vector3<T> s01 = x1 + x0, d01 = x1 - x0, s32 = x2 + x3, d32 = x2 - x3;
+  const Vector3<T> s45 = x5 + x4, d45 = x5 - x4, s76 = x6 + x7, d76 = x6 - x7;
   const Vector3<T> sb = s32 + s01, st = s76 + s45, eb = s32 - s01, et = s76 - s45;
   const Vector3<T> xb = d32 + d01, xt = d76 + d45, hb = d32 - d01, ht = d76 - d45;
   return {xt + xb, et + eb, st - sb, et - eb, xt - xb, ht + hb, ht - hb};
@@ -32,7 +32,9 @@ Nodal<T, 8> to_nodes(const Hex8Modes<T>& F) {
   const Vector3<T> d76 = xt + ht, d45 = xt - ht, d32 = xb + hb, d01 = xb - hb;
   const Vector3<T> s76 = F.a3 + et, s45 = F.a3 - et, s32 = eb - F.a3, s01 = -F.a3 - eb;
   Nodal<T, 8> f;
-  f << s01 - d01, s01 + d01, s32 + d32, s32 - d32, s45 - d45, s45 + d45, s76 + d76, s76 - d76;
+  const auto put = [&](int node, const Vector3<T>& force) { f.col(node) = force; };
+  put(0, s01 - d01), put(1, s01 + d01), put(2, s32 + d32), put(3, s32 - d32);
+  put(4, s45 - d45), put(5, s45 + d45), put(6, s76 + d76), put(7, s76 - d76);
   return f;
 }
 
@@ -56,11 +58,10 @@ struct Hex8Gradient {
 
   /// L_ij = du_i/dx_j, the mean over the element: sum_k u_k (x) g_k / (64 V); `per_volume` is 1/V.
   Matrix3<T> gradient_of(const Hex8Modes<T>& u, const T& per_volume) const {
-    const T w = T(1.0 / 64.0) * per_volume;
-    Matrix3<T> L;
-    for (int j = 0; j < 3; ++j)
-      L.col(j) = w * (u.a1 * a1(j) + u.a2 * a2(j) + u.a3 * a3(j) + u.b1 * b1(j) + u.b2 * b2(j) + u.b3 * b3(j));
-    return L;
+    Matrix3<T> L = outer(u.a1, a1);
+    add_outer(L, u.a2, a2), add_outer(L, u.a3, a3);
+    add_outer(L, u.b1, b1), add_outer(L, u.b2, b2), add_outer(L, u.b3, b3);
+    return L *= T(1.0 / 64.0) * per_volume;
   }
 
   /// 512 B_iI B_jI = sum_k g_k (x) g_k: the part of the modes a, all there is in a parallelepiped, ...

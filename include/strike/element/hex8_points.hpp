@@ -17,22 +17,24 @@ struct Hex8Point {
   template <class T>
   Matrix3<T> derivatives(const Hex8Modes<T>& m) const {
     Matrix3<T> A;
-    A.col(0) = m.a1 + T(zeta) * m.b2 + T(eta) * m.b3 + T(eta * zeta) * m.d;
-    A.col(1) = m.a2 + T(xi) * m.b3 + T(zeta) * m.b1 + T(zeta * xi) * m.d;
-    A.col(2) = m.a3 + T(eta) * m.b1 + T(xi) * m.b2 + T(xi * eta) * m.d;
-    return T(0.125) * A;
+    for (int i = 0; i < 3; ++i) {
+      A(i, 0) = 0.125 * (m.a1(i) + zeta * m.b2(i) + eta * m.b3(i) + (eta * zeta) * m.d(i));
+      A(i, 1) = 0.125 * (m.a2(i) + xi * m.b3(i) + zeta * m.b1(i) + (zeta * xi) * m.d(i));
+      A(i, 2) = 0.125 * (m.a3(i) + eta * m.b1(i) + xi * m.b2(i) + (xi * eta) * m.d(i));
+    }
+    return A;
   }
   /// The transpose: adds to F the forces on the modes that do the work of the vectors t on these derivatives.
   template <class T>
   void add_forces(const Matrix3<T>& t, Hex8Modes<T>& F) const {
-    const Vector3<T> t1 = T(0.125) * t.col(0), t2 = T(0.125) * t.col(1), t3 = T(0.125) * t.col(2);
-    F.a1 += t1;
-    F.a2 += t2;
-    F.a3 += t3;
-    F.b1 += T(zeta) * t2 + T(eta) * t3;
-    F.b2 += T(xi) * t3 + T(zeta) * t1;
-    F.b3 += T(eta) * t1 + T(xi) * t2;
-    F.d += T(eta * zeta) * t1 + T(zeta * xi) * t2 + T(xi * eta) * t3;
+    for (int i = 0; i < 3; ++i) {
+      const T t1 = 0.125 * t(i, 0), t2 = 0.125 * t(i, 1), t3 = 0.125 * t(i, 2);
+      F.a1(i) += t1, F.a2(i) += t2, F.a3(i) += t3;
+      F.b1(i) += zeta * t2 + eta * t3;
+      F.b2(i) += xi * t3 + zeta * t1;
+      F.b3(i) += eta * t1 + xi * t2;
+      F.d(i) += (eta * zeta) * t1 + (zeta * xi) * t2 + (xi * eta) * t3;
+    }
   }
 
  private:
@@ -56,8 +58,7 @@ struct Hex8Map {
   Matrix3<T> gradient(const Matrix3<T>& U, const T& per_volume) const {
     const Matrix3<T> W = per_volume * U;
     Matrix3<T> L;
-    for (int j = 0; j < 3; ++j)
-      L.col(j) = W.col(0) * cofactors(j, 0) + W.col(1) * cofactors(j, 1) + W.col(2) * cofactors(j, 2);
+    for (int j = 0; j < 3; ++j) L.col(j) = times<T>(W, {cofactors(j, 0), cofactors(j, 1), cofactors(j, 2)});
     return L;
   }
 };

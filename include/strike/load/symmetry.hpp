@@ -23,15 +23,14 @@ class Symmetry {
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) const {
     using Vector = typename N::Vector;
-    using Real = typename Vector::Scalar;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       const Index i = nodes_[k];
-      const Vector normal = normals_[k].template cast<Real>();
-      const Real v = nodes.v(i).dot(normal), m = nodes.mass(i);
-      const Real before = v - static_cast<Real>(step.kick()) / m * nodes.f(i).dot(normal);
-      nodes.v(i) -= v * normal;
-      ledger.contact.book_impulse(static_cast<double>(m * v * before),
-                                  0);  // not zero only where a node strikes the plane
+      const Vector normal = normals_[k].template cast<typename Vector::Scalar>();
+      const auto along = [&](const Vector& a) { return static_cast<double>(a.dot(normal)); };
+      const double v = along(nodes.v(i)), m = static_cast<double>(nodes.mass(i));
+      const double before = v - step.kick() / m * along(nodes.f(i));
+      nodes.v(i) -= static_cast<typename Vector::Scalar>(v) * normal;
+      ledger.contact.book_impulse(m * v * before, 0);  // not zero only where a node strikes the plane
     }
   }
 

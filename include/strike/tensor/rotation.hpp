@@ -8,9 +8,8 @@ namespace strike {
 /// Q A Q^T.
 template <class T>
 SymmetricTensor<T> rotated(const Matrix3<T>& Q, const SymmetricTensor<T>& A) {
-  const Vector3<T> x = A.xx * Q.col(0) + A.xy * Q.col(1) + A.zx * Q.col(2);
-  const Vector3<T> y = A.xy * Q.col(0) + A.yy * Q.col(1) + A.yz * Q.col(2);
-  const Vector3<T> z = A.zx * Q.col(0) + A.yz * Q.col(1) + A.zz * Q.col(2);
+  const Vector3<T> x = times<T>(Q, {A.xx, A.xy, A.zx}), y = times<T>(Q, {A.xy, A.yy, A.yz}),
+                   z = times<T>(Q, {A.zx, A.yz, A.zz});
   const auto component = [&](int i, int j) -> T { return x(i) * Q(j, 0) + y(i) * Q(j, 1) + z(i) * Q(j, 2); };
   return {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)};
 }
@@ -54,7 +53,7 @@ struct HughesWinget {
   struct Turn {
     Matrix3<T> Q;
     SymmetricTensor<T> operator()(const SymmetricTensor<T>& A) const { return rotated(Q, A); }
-    Vector3<T> operator()(const Vector3<T>& a) const { return Q.col(0) * a(0) + Q.col(1) * a(1) + Q.col(2) * a(2); }
+    Vector3<T> operator()(const Vector3<T>& a) const { return times(Q, a); }
   };
   template <class T>
   Turn<T> turn(const Vector3<T>& w) const {

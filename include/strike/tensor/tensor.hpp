@@ -17,6 +17,30 @@ Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
   return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
 }
 
+// By components: the same code, and a fraction of what Eigen's expressions take to compile.
+
+/// A x.
+template <class T>
+Vector3<T> times(const Matrix3<T>& A, const Vector3<T>& x) {
+  const auto component = [&](int i) -> T { return A(i, 0) * x(0) + A(i, 1) * x(1) + A(i, 2) * x(2); };
+  return {component(0), component(1), component(2)};
+}
+
+/// a (x) b.
+template <class T>
+Matrix3<T> outer(const Vector3<T>& a, const Vector3<T>& b) {
+  Matrix3<T> A;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) A(i, j) = a(i) * b(j);
+  return A;
+}
+/// A += a (x) b.
+template <class T>
+void add_outer(Matrix3<T>& A, const Vector3<T>& a, const Vector3<T>& b) {
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) A(i, j) += a(i) * b(j);
+}
+
 /// Symmetric tensor of second order, by its six components.
 template <class T>
 struct SymmetricTensor {
