@@ -29,6 +29,19 @@ TEST_CASE("a rotation strains nothing at mid-step, and by 1 - cos(theta) at the 
   }
 }
 
+TEST_CASE("what is measured at mid-step is carried to the end by half the spin, what is measured at the end is there") {
+  const SymmetricTensor<double> D{1, -2, 0.5, 0.3, -0.7, 0.2};
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -2) / 3;
+  for (const double theta : {1e-3, 1e-2, 0.1}) {
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(theta / 2, axis).toRotationMatrix();
+    const Vector3<double> w = 2 * std::tan(theta / 2) * axis;  // skew(L) dt at mid-step
+    const auto carried = MidStep{}.to_end(w)(D);
+    CHECK((carried.matrix() - R * D.matrix() * R.transpose()).norm() <= theta * theta * D.matrix().norm());
+    CHECK(trace(carried) == Approx(trace(D)).epsilon(1e-15));
+    CHECK((EndStep{}.to_end(w)(D) - D).matrix().norm() == 0);
+  }
+}
+
 TEST_CASE("turn_tensors turns what a state declares, and nothing else") {
   struct State {
     SymmetricTensor<double> a{1, 2, 3, 4, 5, 6}, b = a;

@@ -1,6 +1,10 @@
+#include <array>
 #include <complex>
+#include <span>
 #include <string>
 #include <type_traits>
+
+#include <Eigen/Core>
 
 #include <strike/scalar.hpp>
 
@@ -112,4 +116,18 @@ TEST_CASE("One formula runs on every scalar") {
       CHECK(formula<Dual<double, 2>>(x, y).value() == Approx(exact).epsilon(1e-14).margin(1e-14));
       CHECK(formula<Dual<Eight, 2>>(x, y).value()[5] == Approx(exact).epsilon(1e-14).margin(1e-14));
     }
+}
+
+TEST_CASE("An aggregate of numbers is the range of them") {
+  struct State {
+    double a = 1;
+    std::array<double, 2> b{2, 3};
+    Eigen::Vector3d c{4, 5, 6};
+  } state;
+  const State& seen = state;
+  static_assert(std::same_as<decltype(numbers_of<double>(seen)), std::span<const double, 6>>);
+  for (double& number : numbers_of<double>(state)) number *= 10;
+  CHECK(numbers_of<double>(seen)[0] == 10);
+  CHECK(state.b[1] == 30);
+  CHECK(state.c == Eigen::Vector3d(40, 50, 60));
 }

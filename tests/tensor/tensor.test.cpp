@@ -50,6 +50,11 @@ TEST_CASE("tensor: invariants, products and parts are those of the full matrix")
     CHECK(determinant(A) == Approx(a.determinant()).epsilon(0).margin(4 * rounding));
     CHECK(quadratic_form(A, x) == Approx(x.dot(a * x)).epsilon(0).margin(4 * rounding));
     CHECK((cross(x, y) - x.cross(y)).norm() < rounding);
+    CHECK((times(L, x) - L * x).norm() < 2 * rounding);
+    Matrix3<double> xy = outer(x, y);
+    CHECK((xy - x * y.transpose()).norm() < rounding);
+    add_outer(xy, y, x);
+    CHECK((xy - x * y.transpose() - y * x.transpose()).norm() < 2 * rounding);
     CHECK(((L - a) * x - cross(axial_vector(L), x)).norm() < 2 * rounding);  // skew(L) x = w cross x
     CHECK(((2.0 * A - B + Tensor::isotropic(3.0)).matrix() - (2 * a - b + 3 * Matrix3<double>::Identity())).norm() <
           4 * rounding);
