@@ -49,25 +49,9 @@ struct Maxwell {
 // Materials that break one law each.
 struct NeverTurned : Maxwell {
   template <class T>
-  struct State {
-    SymmetricTensor<T> s{};
-    T p{};
+  struct State : Maxwell::State<T> {
+    void spatial_tensors() = delete;
   };
-  template <class T>
-  SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {
-    Maxwell::State<T> turned{state.s, state.p};
-    const auto sigma = Maxwell::stress(turned, rate, dt);
-    state = {turned.s, turned.p};
-    return sigma;
-  }
-  template <class T>
-  SymmetricTensor<T> stress(const State<T>& state) const {
-    return state.s - SymmetricTensor<T>::isotropic(state.p);
-  }
-  template <class T>
-  Moduli<T> moduli(const State<T>&, const SolidKinematics::Rate<T>& rate) const {
-    return {bulk_modulus / rate.relative_volume, T(shear_modulus)};
-  }
 };
 struct StifferThanItSays : Maxwell {
   template <class T>
