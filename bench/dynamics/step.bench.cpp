@@ -24,9 +24,8 @@ struct Squeeze {
 
   template <class N>
   void begin(N& nodes) const {
-    using Real = typename N::Vector::Scalar;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodes.v(i) = static_cast<Real>(rate) * nodes.x(i).cwiseProduct(typename N::Vector(Real(.5), Real(.5), Real(-1)));
+      nodes.set_velocity(i, rate * nodes.x(i).cwiseProduct(Eigen::Vector3d(.5, .5, -1)));
   }
 };
 

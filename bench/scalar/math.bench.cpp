@@ -1,5 +1,5 @@
-// What exp, log, pow, cbrt and sqrt cost per number, in each scalar. `std` is the library's own function on a double.
-// per_number is the time of one number of 1024 that stay in the cache, each independent of the others.
+// What exp, log, pow, cbrt, sqrt and rsqrt cost per number, in each scalar. `std` is the library's own function on a
+// double. per_number is the time of one number of 1024 that stay in the cache, each independent of the others.
 #include <cmath>
 #include <vector>
 
@@ -47,6 +47,14 @@ struct Sqrt {
   }
 };
 
+struct Rsqrt {
+  template <class T>
+  static T of(const T& x) {
+    using strike::rsqrt;
+    return rsqrt(x);
+  }
+};
+
 constexpr std::size_t numbers = 1024;
 
 template <class T, class Function>
@@ -81,6 +89,7 @@ const bool registered = [] {
   prices<Pow>("pow");
   prices<Cbrt>("cbrt");
   prices<Sqrt>("sqrt");
+  prices<Rsqrt>("rsqrt");
   return true;
 }();
 

@@ -50,10 +50,7 @@ struct Swing {
 
   template <class N>
   void begin(N& nodes) const {
-    using Vector = typename N::Vector;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodes.v(i) = (amplitude * wave.frequency * wave(nodes.x(i).template cast<double>()))
-                       .template cast<typename Vector::Scalar>();
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, amplitude * wave.frequency * wave(nodes.x(i)));
   }
 };
 

@@ -34,15 +34,12 @@ class Turn {
 
   template <class N>
   void begin(N& nodes) const {
-    using Vector = typename N::Vector;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodes.v(i) = (rate * axis().cross(X_[i])).cast<typename Vector::Scalar>();
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, rate * axis().cross(X_[i]));
   }
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger&) const {
-    using Vector = typename N::Vector;
     const Eigen::Matrix3d change = (turned(step.time + step.dt) - turned(step.time)) / step.dt;
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.v(i) = (change * X_[i]).cast<typename Vector::Scalar>();
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, change * X_[i]);
   }
 
  private:

@@ -18,7 +18,7 @@ struct Crush {
 
   template <class N>
   void begin(N& nodes) const {
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.v(i).z() = rate * nodes.x(i).z();
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, {0, 0, rate * nodes.x(i).z()});
   }
 };
 

@@ -24,7 +24,7 @@ struct Spin {
   double w;
   template <class N>
   void begin(N& nodes) const {
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.v(i) << -w * nodes.x(i).y(), w * nodes.x(i).x(), 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, {-w * nodes.x(i).y(), w * nodes.x(i).x(), 0});
   }
 };
 

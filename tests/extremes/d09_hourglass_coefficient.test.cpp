@@ -16,8 +16,7 @@ struct Zigzag {
   void begin(auto& nodes) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const int parity = int(std::lround(nodes.x(i).x() + nodes.x(i).y() + nodes.x(i).z()));
-      nodes.v(i).setZero();
-      nodes.v(i).x() = parity % 2 == 0 ? 1e-3 : -1e-3;
+      nodes.set_velocity(i, {parity % 2 == 0 ? 1e-3 : -1e-3, 0, 0});
     }
   }
 };

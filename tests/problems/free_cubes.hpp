@@ -21,7 +21,7 @@ struct RandomVelocity {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(-1e-6, 1e-6);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      for (int c = 0; c < 3; ++c) nodes.v(i)(c) = uniform(random);
+      nodes.set_velocity(i, {uniform(random), uniform(random), uniform(random)});
   }
 };
 

@@ -36,7 +36,7 @@ struct RandomVelocity {
   template <class N>
   void begin(N& nodes) const {
     Random random(seed);
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.v(i) = size * random_vector(random);
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, size * random_vector(random));
   }
 };
 

@@ -63,6 +63,9 @@ TEST_CASE("Each function has its derivative and second derivative") {
     const auto root = [](const auto& u) { return sqrt(u); };
     CHECK(slope(root, x) == near(0.5 / std::sqrt(x)));
     CHECK(curvature(root, x) == near(-0.25 / (x * std::sqrt(x))));
+    const auto inverse_root = [](const auto& u) { return rsqrt(u); };
+    CHECK(slope(inverse_root, x) == near(-0.5 / (x * std::sqrt(x))));
+    CHECK(curvature(inverse_root, x) == near(0.75 / (x * x * std::sqrt(x))));
     for (const double sign : {1., -1.}) {
       const auto cube_root = [](const auto& u) { return cbrt(u); };
       CHECK(slope(cube_root, sign * x) == near(1 / (3 * std::cbrt(x * x))));

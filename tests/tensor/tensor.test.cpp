@@ -32,7 +32,7 @@ Tensor with_eigenvalues(const Vector3<double>& l, std::mt19937& random) {
   return symmetric_part<double>(R * l.asDiagonal() * R.transpose());
 }
 
-constexpr double bound = 1.5e-3;    // stated at the function
+constexpr double bound = 4e-4;      // stated at the function
 constexpr double rounding = 1e-15;  // some units in the last place of a dozen operations
 
 }  // namespace

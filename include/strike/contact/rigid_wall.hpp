@@ -28,24 +28,23 @@ class RigidWall {
 
   template <class N, class Ledger>
   void touch(N& nodes, const Step& step, Ledger& ledger) {
-    using Vector = typename N::Vector;
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
     for (const Index i : nodes_) {
-      const Eigen::Vector3d x = nodes.x(i).template cast<double>(), v = nodes.v(i).template cast<double>();
+      const Eigen::Vector3d x = nodes.x(i), v = nodes.v(i);
       const double approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
       const Eigen::Vector3d away = nodes.free(i, normal_);
       const double yielding =
           away.dot(normal_);  // 1 where the node is free to move along the normal, 0 where it is not
       if (!(yielding > 1e-6)) continue;
-      const double mass = static_cast<double>(nodes.mass(i)), push = mass * (excess / step.dt) / yielding;
+      const double mass = nodes.mass(i), push = mass * (excess / step.dt) / yielding;
       const Eigen::Vector3d sliding = nodes.free(i, v - approach * normal_);
       const double speed = sliding.norm();
       const double drag = friction_ > 0 && speed > 0 ? std::min(friction_ * push / speed, mass) : 0.0;
       const Eigen::Vector3d given = push * away - drag * sliding;
-      const Eigen::Vector3d before = v - (step.kick() / mass) * nodes.f(i).template cast<double>();
-      const Eigen::Vector3d after = v + given / mass;
-      nodes.v(i) = after.template cast<typename Vector::Scalar>();
+      const Eigen::Vector3d before = v - (step.kick() / mass) * nodes.f(i);
+      const Eigen::Vector3d after = v + (1 / mass) * given;
+      nodes.set_velocity(i, after);
       ledger.contact.book_impulse(-push * away.dot(before), -push * away.dot(after));
       ledger.friction.book_impulse(drag * sliding.dot(before), drag * sliding.dot(after));
       impulse += given;

@@ -50,10 +50,9 @@ class Explicit {
     });
     double mass = 0, distance = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const auto m = static_cast<double>(nodes_.mass(i));
-      ledger_.kinetic += 0.5 * m * nodes_.v(i).template cast<double>().squaredNorm();
-      mass += m;
-      distance = std::max(distance, static_cast<double>(nodes_.x(i).cwiseAbs().maxCoeff()));
+      ledger_.kinetic += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
+      mass += nodes_.mass(i);
+      distance = std::max(distance, nodes_.x(i).template lpNorm<Eigen::Infinity>());
     }
     const double rounding = static_cast<double>(std::numeric_limits<Real>::epsilon()) * distance;
     rounding_ = 0.5 * mass * rounding * rounding;
@@ -119,8 +118,7 @@ class Explicit {
   const Energy& energy() const { return energy_; }
   Eigen::Vector3d momentum() const {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      p += static_cast<double>(nodes_.mass(i)) * nodes_.v(i).template cast<double>();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) p += nodes_.mass(i) * nodes_.v(i);
     return p;
   }
 
@@ -128,7 +126,7 @@ class Explicit {
   Nodes<Real>& nodes() { return nodes_; }
   std::vector<Eigen::Vector3d> positions() const {
     std::vector<Eigen::Vector3d> x(nodes_.size());
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i).template cast<double>();
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i);
     return x;
   }
   /// The i-th thing of the scene at work: a RunningPart, a load, a contact.
@@ -193,15 +191,17 @@ class Explicit {
   /// knows.
   void kick() {
     const Real kick = static_cast<Real>(step_.kick());
-    double kinetic = 0;
+    double kinetic[4]{};
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      auto v = nodes_.wide(nodes_.velocity()[i]);
-      const auto f = nodes_.wide(nodes_.force()[i]);
-      const Real m = nodes_.mass(i);
-      kinetic += static_cast<double>((v * (m * v + kick * f)).sum());
-      v += kick / m * f;
+      Padded<Real>& v = nodes_.velocity()[i];
+      const Padded<Real>& f = nodes_.force()[i];
+      const Real m = nodes_.mass()[i], kick_per_mass = kick / m;
+      for (int c = 0; c < 4; ++c) {
+        kinetic[c] += static_cast<double>(v.x[c] * (m * v.x[c] + kick * f.x[c]));
+        v.x[c] += kick_per_mass * f.x[c];
+      }
     }
-    ledger_.kinetic = 0.5 * kinetic;
+    ledger_.kinetic = 0.5 * (kinetic[0] + kinetic[1] + kinetic[2]);
   }
 
   void constrain() {
@@ -233,7 +233,7 @@ class Explicit {
   /// -(kick f)^2/(2 m).)
   void begin_balance() {
     double power = 0;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) power += static_cast<double>(nodes_.f(i).dot(nodes_.v(i)));
+    for (std::size_t i = 0; i < nodes_.size(); ++i) power += nodes_.f(i).dot(nodes_.v(i));
     ledger_.kinetic -= 0.5 * step_.kick() * power;
     ledger_.initial += ledger_.kinetic - energy_.kinetic;
   }
@@ -259,8 +259,10 @@ class Explicit {
   void drift() {
     const Real dt = static_cast<Real>(step_.dt);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      nodes_.wide(nodes_.position()[i]) += dt * nodes_.wide(nodes_.velocity()[i]);
-      nodes_.wide(nodes_.force()[i]).setZero();
+      Padded<Real>& x = nodes_.position()[i];
+      const Padded<Real>& v = nodes_.velocity()[i];
+      for (int c = 0; c < 4; ++c) x.x[c] += dt * v.x[c];
+      nodes_.force()[i] = {};
     }
     if (step_.dt >= end_ - clock_.time())
       clock_.set(end_);
@@ -311,7 +313,7 @@ class Explicit {
     throw Error(detail::joined(
         {"strike: at t = ", detail::text(clock_.time()), ", step ", std::to_string(step_.number), ": ", why, "."}));
   }
-  std::string place(std::size_t i) const { return detail::text(Eigen::Vector3d(nodes_.x(i).template cast<double>())); }
+  std::string place(std::size_t i) const { return detail::text(nodes_.x(i)); }
 
   ExplicitOptions options_;
   Nodes<Real> nodes_;

@@ -128,7 +128,12 @@ template <class T, std::size_t n>
 Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const std::vector<Padded<RealOf<T>>>& field,
                                                 const BlockNodes<n, lanes<T>>& nodes) {
   Eigen::Matrix<T, 3, static_cast<int>(n)> a;
-  for (std::size_t i = 0; i < n; ++i) a.col(static_cast<int>(i)) = detail::Transposer<T>::load(field, nodes[i]);
+  const auto load = [&](int i) {
+    const Vector3<T> a_i = detail::Transposer<T>::load(field, nodes[static_cast<std::size_t>(i)]);
+    a(0, i) = a_i(0), a(1, i) = a_i(1), a(2, i) = a_i(2);
+  };
+  [&]<int... i>(std::integer_sequence<int, i...>) { (load(i), ...); }
+  (std::make_integer_sequence<int, static_cast<int>(n)>{});
   return a;
 }
 
@@ -136,8 +141,11 @@ Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const std::vector<Padded<RealOf<
 template <class T, std::size_t n>
 void scatter_subtract(const Eigen::Matrix<T, 3, static_cast<int>(n)>& f, std::vector<Padded<RealOf<T>>>& field,
                       const BlockNodes<n, lanes<T>>& nodes, std::size_t count) {
-  for (std::size_t i = 0; i < n; ++i)
-    detail::Transposer<T>::subtract(f.col(static_cast<int>(i)), field, nodes[i], count);
+  const auto subtract = [&](int i) {
+    detail::Transposer<T>::subtract({f(0, i), f(1, i), f(2, i)}, field, nodes[static_cast<std::size_t>(i)], count);
+  };
+  [&]<int... i>(std::integer_sequence<int, i...>) { (subtract(i), ...); }
+  (std::make_integer_sequence<int, static_cast<int>(n)>{});
 }
 
 }  // namespace strike

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <strike/dynamics/gather.hpp>
@@ -137,7 +138,7 @@ class RunningPart {
         if (!(lane(mass, l) > 0))
           throw Error(detail::joined({"strike: ", name(b * width + l), " at ", place(nodes, b * width + l),
                                       " has no positive mass; its corners are in the wrong order or coincide."}));
-        for (std::size_t i = 0; i < n; ++i) nodes.mass(blocks_[b].nodes[i][l]) += lane(mass, l);
+        for (std::size_t i = 0; i < n; ++i) nodes.add_mass(blocks_[b].nodes[i][l], static_cast<double>(lane(mass, l)));
         mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
       }
     }
@@ -150,11 +151,15 @@ class RunningPart {
     T least = T(std::numeric_limits<Real>::max()), where = T(0.0);
     T inverted_volume = T(1.0), inverted = T(0.0);
     T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
+    Local<E> element = element_;
+    Local<M> material = material_;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       Block& block = blocks_[b];
+      State state = block.state;
       const Nodal<T, E::nodes> x = gather<T, n>(nodes.position(), block.nodes),
                                v = gather<T, n>(nodes.velocity(), block.nodes);
-      const Response<T, E::nodes> response = element_.advance(block.state, material_, x, v, dt);
+      const Response<T, E::nodes> response = element.advance(state, material, x, v, dt);
+      block.state = state;
       scatter_subtract<T, n>(response.force, nodes.force(), block.nodes, count(b));
 
       where = select(response.stable_step < least, T(static_cast<double>(b)), where);
@@ -241,11 +246,16 @@ class RunningPart {
   }
   std::string place(const Nodes<Real>& nodes, std::size_t e) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Index i : cell(e)) sum += nodes.x(i).template cast<double>();
-    return detail::text(Eigen::Vector3d(sum / static_cast<double>(n)));
+    for (const Index i : cell(e)) sum += nodes.x(i);
+    return detail::text((1.0 / static_cast<double>(n)) * sum);
   }
 
  private:
+  /// A model whose numbers no store into a block can change, so that they stay in registers; one that owns tables is
+  /// not copied.
+  template <class Model>
+  using Local = std::conditional_t<std::is_trivially_copyable_v<Model>, const Model, const Model&>;
+
   std::size_t count(std::size_t b) const { return b + 1 < blocks_.size() ? width : size_ - b * width; }
   T busy() const {
     T ones = T(0.0);
@@ -268,19 +278,17 @@ class RunningPart {
   /// An element so far from the origin that the spacing of the numbers there would strain it by more than a thousandth.
   void check_resolution(const Nodes<Real>& nodes, std::size_t e) const {
     const std::array<Index, n> c = cell(e);
-    Real distance = 0, width2 = std::numeric_limits<Real>::infinity();
+    double distance = 0, gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
-      distance = std::max(distance, nodes.x(c[i]).cwiseAbs().maxCoeff());
-      for (std::size_t j = 0; j < i; ++j) {
-        const Real d2 = (nodes.x(c[i]) - nodes.x(c[j])).squaredNorm();
-        if (d2 > 0) width2 = std::min(width2, d2);
-      }
+      const Eigen::Vector3d x = nodes.x(c[i]);
+      distance = std::max(distance, x.lpNorm<Eigen::Infinity>());
+      for (std::size_t j = 0; j < i; ++j)
+        if (const double d = Eigen::Vector3d(x - nodes.x(c[j])).norm(); d > 0) gap = std::min(gap, d);
     }
-    const Real spacing = distance * std::numeric_limits<Real>::epsilon();
-    if (spacing > Real(1e-3) * std::sqrt(width2))
-      throw Error(detail::joined({"strike: ", name(e), " at ", place(nodes, e), " is only ",
-                                  detail::text(static_cast<double>(std::sqrt(width2))), " wide where numbers are ",
-                                  detail::text(static_cast<double>(spacing)),
+    const double spacing = distance * static_cast<double>(std::numeric_limits<Real>::epsilon());
+    if (spacing > 1e-3 * gap)
+      throw Error(detail::joined({"strike: ", name(e), " at ", place(nodes, e), " is only ", detail::text(gap),
+                                  " wide where numbers are ", detail::text(spacing),
                                   " apart; move the mesh to the origin or compute in double."}));
   }
 

@@ -76,9 +76,8 @@ struct MidStep {
     const Vector3<T> p{1.0 + h * L(0, 0), h * L(1, 0), h * L(2, 0)}, q{h * L(0, 1), 1.0 + h * L(1, 1), h * L(2, 1)},
         r{h * L(0, 2), h * L(1, 2), 1.0 + h * L(2, 2)};
     const Vector3<T> qr = cross(q, r), rp = cross(r, p), pq = cross(p, q);
-    Matrix3<T> mid;
-    for (int j = 0; j < 3; ++j) mid.col(j) = times<T>(L, {qr(j), rp(j), pq(j)});
-    return mid *= 1.0 / p.dot(qr);
+    const auto column = [&](int j) { return times<T>(L, {qr(j), rp(j), pq(j)}); };
+    return T(1.0 / dot(p, qr)) * columns(column(0), column(1), column(2));
   }
   template <class T>
   auto to_end(const Vector3<T>& w) const {

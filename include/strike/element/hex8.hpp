@@ -55,6 +55,8 @@ struct Hex8 {
   template <class M, class T>
   Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
                          double dt) const {
+    // Statements stand in an order in which the long chains of dependent operations (roots, quotients) run beside
+    // others.
     const Hex8Modes<T> m = to_modes<T>(x), u = to_modes<T>(v);
     const Hex8Gradient<T> g(m);
     const T& V = g.volume;
@@ -63,43 +65,32 @@ struct Hex8 {
     const T rho = material.density() * compression, specific_volume = (1.0 / material.density()) * J;
 
     const Matrix3<T> L = g.gradient_of(u, per_volume);
+    const T w = T(1.0 / 512.0) * per_volume * per_volume;
+    const SymmetricTensor<T> S_b = w * g.squared_b(), S = S_b + w * g.squared_a();
     const Matrix3<T> L_mid = instant(L, dt);
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), specific_volume};
+
     const Vector3<T> spin = T(dt) * axial_vector(L_mid);
     const auto to_end = instant.to_end(spin);
     const SolidKinematics::Rate<T> rate{to_end(symmetric_part(L_mid)), J};
     const T theta = trace(rate.rate_of_deformation);
     const T dV = volume_increment<T>(V, dt * theta);
+    const Moduli<T> before = material.moduli(state.material, rate);
+    const T crossing_time = stability.crossing_time(before.wave());
 
     const auto turn = rotation.turn(spin);
     turn_tensors(turn, state.material);
     turn_tensors(turn, state.hourglass);
 
-    const T w = T(1.0 / 512.0) * per_volume * per_volume;
-    const SymmetricTensor<T> S_b = w * g.squared_b(), S = S_b + w * g.squared_a();
-    const T hourglass_overlap = overlap(S, S_b, m, g, per_volume);
-    const Stability<T> stability{trace(S), largest_eigenvalue(S), specific_volume};
     Response<T, 8> response;
     response.volume = V;
-
-    const T wave = material.moduli(state.material, rate).wave();
-    const T q = bulk_viscosity.pressure(wave, stability.crossing_time(wave), theta);
-    response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
-    heat(state.material, response.bulk_viscosity_work * state.inverse_volume);
-
-    auto [sigma, work] = advance_point(material, state.material, rate, dt, V, dV);
-    response.internal_work = work;
-    sigma += SymmetricTensor<T>::isotropic(-q);
-
-    const Moduli<T> moduli = material.moduli(state.material, rate);
-    const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
-    const Vibration<T> vibration = stability.vibration(material, moduli, zeta);
-
-    Hex8Modes<T> F;
-    Matrix3<T> P = sigma.matrix();
     response.hourglass_work = T(0.0);
+    const Vector3<T> none{T(0.0), T(0.0), T(0.0)};
+    HourglassModes<T> Q{none, none, none, none};
+    T hourglass_rate = T(0.0);
     if constexpr (controlled) {
       const HourglassElement<T> element{
-          rho,  V, T((1.0 / material.density()) * state.inverse_volume), moduli.wave(), moduli.shear, stability.trace,
+          rho,  V, T((1.0 / material.density()) * state.inverse_volume), before.wave(), before.shear, stability.trace,
           T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
         const Vector3<T> rate_k = u_k - times(L, m_k);
@@ -109,23 +100,39 @@ struct Hex8 {
           return to_end(rate_k);
       };
       const HourglassModes<T> rates{rate_of(u.b1, m.b1), rate_of(u.b2, m.b2), rate_of(u.b3, m.b3), rate_of(u.d, m.d)};
-      const HourglassModes<T> Q = hourglass.resistance(state.hourglass, element, rates);
+      Q = hourglass.resistance(state.hourglass, element, rates);
       response.hourglass_work = hourglass.work(element, Q, rates);
-      Matrix3<T> Qm = outer(Q[0], m.b1);
-      add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
-      P -= per_volume * Qm;
-      F.b1 = Q[0], F.b2 = Q[1], F.b3 = Q[2], F.d = Q[3];
-
-      response.stable_step = 1.0 / critical_rate(vibration, hourglass.critical_rate(element), hourglass_overlap);
-    } else {
-      F.b1 = F.b2 = F.b3 = F.d = Vector3<T>::Zero();
-      response.stable_step = 1.0 / vibration.critical_rate();
+      hourglass_rate = hourglass.critical_rate(element);
     }
 
-    P *= T(1.0 / 64.0);
-    F.a1 = times(P, g.a1), F.a2 = times(P, g.a2), F.a3 = times(P, g.a3);
-    F.b1 += times(P, g.b1), F.b2 += times(P, g.b2), F.b3 += times(P, g.b3);
-    response.force = to_nodes(F);
+    const T q = bulk_viscosity.pressure(before.wave(), crossing_time, theta);
+    response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
+    heat(state.material, response.bulk_viscosity_work * state.inverse_volume);
+
+    auto [sigma, work] = advance_point(material, state.material, rate, dt, V, dV);
+    response.internal_work = work;
+    sigma += SymmetricTensor<T>::isotropic(-q);
+
+    Matrix3<T> P = sigma.matrix();
+    T hourglass_overlap = T(0.0);
+    if constexpr (controlled) {
+      Matrix3<T> Qm = outer(Q[0], m.b1);
+      add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
+      P = P - per_volume * Qm;
+      hourglass_overlap = overlap(S, S_b, m, g, per_volume);
+    }
+
+    const Moduli<T> after = material.moduli(state.material, rate);
+    const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
+    const Vibration<T> vibration = stability.vibration(material, after, zeta);
+    if constexpr (controlled)
+      response.stable_step = 1.0 / critical_rate(vibration, hourglass_rate, hourglass_overlap);
+    else
+      response.stable_step = 1.0 / vibration.critical_rate();
+
+    P = T(1.0 / 64.0) * P;
+    response.force = to_nodes<T>({times(P, g.a1), times(P, g.a2), times(P, g.a3), Q[0] + times(P, g.b1),
+                                  Q[1] + times(P, g.b2), Q[2] + times(P, g.b3), Q[3]});
     if constexpr (requires { material.intact(state.material); })
       silence(material.intact(state.material) > 0.0, response);
     return response;
@@ -138,7 +145,7 @@ struct Hex8 {
   static T overlap(const SymmetricTensor<T>& S, const SymmetricTensor<T>& S_b, const Hex8Modes<T>& m,
                    const Hex8Gradient<T>& g, const T& per_volume) {
     const SymmetricTensor<T> mm = outer_square(m.b1) + outer_square(m.b2) + outer_square(m.b3) + outer_square(m.d);
-    const T mg = m.b1.dot(g.b1) + m.b2.dot(g.b2) + m.b3.dot(g.b3);
+    const T mg = dot(m.b1, g.b1) + dot(m.b2, g.b2) + dot(m.b3, g.b3);
     return max(T(0.0), 0.125 * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
   }
 

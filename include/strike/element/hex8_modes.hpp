@@ -15,8 +15,9 @@ struct Hex8Modes {
 /// Nodes to modes: a butterfly along each direction, 23 additions a component.
 template <class T>
 Hex8Modes<T> to_modes(const Nodal<T, 8>& x) {
-  const Vector3<T> x0 = x.col(0), x1 = x.col(1), x2 = x.col(2), x3 = x.col(3), x4 = x.col(4), x5 = x.col(5),
-                   x6 = x.col(6), x7 = x.col(7);
+  const auto node = [&](int I) { return Vector3<T>{x(0, I), x(1, I), x(2, I)}; };
+  const Vector3<T> x0 = node(0), x1 = node(1), x2 = node(2), x3 = node(3), x4 = node(4), x5 = node(5), x6 = node(6),
+                   x7 = node(7);
   const Vector3<T> s01 = x1 + x0, d01 = x1 - x0, s32 = x2 + x3, d32 = x2 - x3;
   const Vector3<T> s45 = x5 + x4, d45 = x5 - x4, s76 = x6 + x7, d76 = x6 - x7;
   const Vector3<T> sb = s32 + s01, st = s76 + s45, eb = s32 - s01, et = s76 - s45;
@@ -32,7 +33,7 @@ Nodal<T, 8> to_nodes(const Hex8Modes<T>& F) {
   const Vector3<T> d76 = xt + ht, d45 = xt - ht, d32 = xb + hb, d01 = xb - hb;
   const Vector3<T> s76 = F.a3 + et, s45 = F.a3 - et, s32 = eb - F.a3, s01 = -F.a3 - eb;
   Nodal<T, 8> f;
-  const auto put = [&](int node, const Vector3<T>& force) { f.col(node) = force; };
+  const auto put = [&](int I, const Vector3<T>& f_I) { f(0, I) = f_I(0), f(1, I) = f_I(1), f(2, I) = f_I(2); };
   put(0, s01 - d01), put(1, s01 + d01), put(2, s32 + d32), put(3, s32 - d32);
   put(4, s45 - d45), put(5, s45 + d45), put(6, s76 + d76), put(7, s76 - d76);
   return f;
@@ -54,14 +55,14 @@ struct Hex8Gradient {
         b2(T(1.0 / 3.0) * (cross(m.a1, m.b3) + cross(m.b1, m.a3))),
         b3(T(1.0 / 3.0) * (cross(m.b2, m.a1) + cross(m.a2, m.b1))),
         volume(T(1.0 / 192.0) *
-               (m.a1.dot(a1) + m.a2.dot(a2) + m.a3.dot(a3) + m.b1.dot(b1) + m.b2.dot(b2) + m.b3.dot(b3))) {}
+               (dot(m.a1, a1) + dot(m.a2, a2) + dot(m.a3, a3) + dot(m.b1, b1) + dot(m.b2, b2) + dot(m.b3, b3))) {}
 
   /// L_ij = du_i/dx_j, the mean over the element: sum_k u_k (x) g_k / (64 V); `per_volume` is 1/V.
   Matrix3<T> gradient_of(const Hex8Modes<T>& u, const T& per_volume) const {
     Matrix3<T> L = outer(u.a1, a1);
     add_outer(L, u.a2, a2), add_outer(L, u.a3, a3);
     add_outer(L, u.b1, b1), add_outer(L, u.b2, b2), add_outer(L, u.b3, b3);
-    return L *= T(1.0 / 64.0) * per_volume;
+    return T(T(1.0 / 64.0) * per_volume) * L;
   }
 
   /// 512 B_iI B_jI = sum_k g_k (x) g_k: the part of the modes a, all there is in a parallelepiped, ...

@@ -58,7 +58,7 @@ struct ViscousHourglass {
   /// Work done against the resistance in the step.
   template <class T>
   T work(const HourglassElement<T>& e, const HourglassModes<T>& Q, const HourglassModes<T>& rates) const {
-    return e.dt * (Q[0].dot(rates[0]) + Q[1].dot(rates[1]) + Q[2].dot(rates[2]) + Q[3].dot(rates[3]));
+    return e.dt * (dot(Q[0], rates[0]) + dot(Q[1], rates[1]) + dot(Q[2], rates[2]) + dot(Q[3], rates[3]));
   }
   /// One over the largest step that this alone allows, half the rate of decay a |Lambda|^2/m = 64 a/(rho V).
   template <class T>
@@ -86,7 +86,7 @@ struct StiffnessHourglass {
   template <class T>
   HourglassModes<T> resistance(State<T>& state, const HourglassElement<T>& e, const HourglassModes<T>& rates) const {
     const T k = stiffness(e) * e.dt;
-    for (std::size_t i = 0; i < 4; ++i) state.resistance[i] += k * rates[i];
+    for (std::size_t i = 0; i < 4; ++i) state.resistance[i] = state.resistance[i] + k * rates[i];
     return state.resistance;
   }
   /// Work done against the mean of the resistances before and after the step.
@@ -94,7 +94,7 @@ struct StiffnessHourglass {
   T work(const HourglassElement<T>& e, const HourglassModes<T>& Q, const HourglassModes<T>& rates) const {
     const T half = 0.5 * stiffness(e) * e.dt;
     T sum = T(0.0);
-    for (std::size_t i = 0; i < 4; ++i) sum += (Q[i] - half * rates[i]).dot(rates[i]);
+    for (std::size_t i = 0; i < 4; ++i) sum += dot<T>(Q[i] - half * rates[i], rates[i]);
     return e.dt * sum;
   }
   /// One over the largest step that this alone allows, half the frequency sqrt(k |Lambda|^2/m).

@@ -30,7 +30,7 @@ struct Stability {
 
   /// The time l/c in which a plane wave crosses the element, l = 1/sqrt(2 L1), the edge of a brick. Bulk viscosity and
   /// time step must use the same length, or crushed elements are damped beyond stability.
-  T crossing_time(const T& wave_modulus) const { return 1.0 / sqrt(2.0 * eigenvalue * wave_modulus * volume_per_mass); }
+  T crossing_time(const T& wave_modulus) const { return rsqrt(2.0 * eigenvalue * wave_modulus * volume_per_mass); }
 
   /// Of a material with these moduli and a bulk viscosity of the coefficient zeta [stress time].
   template <class M>

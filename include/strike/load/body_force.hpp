@@ -15,15 +15,13 @@ class BodyForce {
 
   template <class N>
   void push(N& nodes, double time) {
-    using Vector = typename N::Vector;
     now_ = history_(time) * acceleration_;
-    const Vector a = now_.cast<typename Vector::Scalar>();
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.f(i) += nodes.mass(i) * a;
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.add_force(i, nodes.mass(i) * now_);
   }
   template <class N>
   double power(const N& nodes) const {
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < nodes.size(); ++i) momentum += (nodes.mass(i) * nodes.v(i)).template cast<double>();
+    for (std::size_t i = 0; i < nodes.size(); ++i) momentum += nodes.mass(i) * nodes.v(i);
     return momentum.dot(now_);
   }
 

@@ -15,11 +15,9 @@ class InitialVelocity {
 
   template <class N>
   void begin(N& nodes) const {
-    using Vector = typename N::Vector;
-    const Vector v = velocity_.cast<typename Vector::Scalar>();
     if (everywhere_)
-      for (std::size_t i = 0; i < nodes.size(); ++i) nodes.v(i) = v;
-    for (const Index i : nodes_) nodes.v(i) = v;
+      for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, velocity_);
+    for (const Index i : nodes_) nodes.set_velocity(i, velocity_);
   }
 
  private:

@@ -23,16 +23,13 @@ class PrescribedMotion {
 
   template <class N, class Ledger>
   void impose(double velocity, N& nodes, const Step& step, Ledger& ledger) const {
-    using Vector = typename N::Vector;
-    using Real = typename Vector::Scalar;
-    const Vector direction = direction_.template cast<Real>();
-    const Real kick = static_cast<Real>(step.kick()), given = static_cast<Real>(velocity);
     for (const Index i : nodes_) {
-      const Real m = nodes.mass(i), free = nodes.v(i).dot(direction);
-      const Real before = free - kick / m * nodes.f(i).dot(direction);
-      nodes.v(i) += (given - free) * direction;
-      const Real impulse = m * (given - free);
-      ledger.external.book_impulse(static_cast<double>(impulse * before), static_cast<double>(impulse * given));
+      const Eigen::Vector3d v = nodes.v(i);
+      const double m = nodes.mass(i), free = v.dot(direction_);
+      const double before = free - step.kick() / m * nodes.f(i).dot(direction_);
+      nodes.set_velocity(i, v + (velocity - free) * direction_);
+      const double impulse = m * (velocity - free);
+      ledger.external.book_impulse(impulse * before, impulse * velocity);
     }
   }
 

@@ -18,25 +18,22 @@ class Pressure {
 
   template <class N>
   void push(N& nodes, double time) {
-    using Vector = typename N::Vector;
     const double p = history_(time);
     forces_.resize(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const auto& corner = faces_[i].nodes;
-      const auto x = [&](std::size_t k) -> Eigen::Vector3d { return nodes.x(corner[k]).template cast<double>(); };
+      const auto x = [&](std::size_t k) { return nodes.x(corner[k]); };
       const Eigen::Vector3d along = x(2) - x(0), across = x(3) - x(1);
       const double share = corner[2] == corner[3] ? 1.0 / 3 : 0.25;
       forces_[i] = -share * p * 0.5 * cross<double>(along, across);
-      for (std::size_t k = 0; k < corners(corner); ++k)
-        nodes.f(corner[k]) += forces_[i].cast<typename Vector::Scalar>();
+      for (std::size_t k = 0; k < corners(corner); ++k) nodes.add_force(corner[k], forces_[i]);
     }
   }
   template <class N>
   double power(const N& nodes) const {
     double sum = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k)
-        sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
+      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k) sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]));
     return sum;
   }
 

@@ -22,14 +22,12 @@ class Symmetry {
 
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) const {
-    using Vector = typename N::Vector;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       const Index i = nodes_[k];
-      const Vector normal = normals_[k].template cast<typename Vector::Scalar>();
-      const auto along = [&](const Vector& a) { return static_cast<double>(a.dot(normal)); };
-      const double v = along(nodes.v(i)), m = static_cast<double>(nodes.mass(i));
-      const double before = v - step.kick() / m * along(nodes.f(i));
-      nodes.v(i) -= static_cast<typename Vector::Scalar>(v) * normal;
+      const Eigen::Vector3d &normal = normals_[k], velocity = nodes.v(i);
+      const double v = velocity.dot(normal), m = nodes.mass(i);
+      const double before = v - step.kick() / m * nodes.f(i).dot(normal);
+      nodes.set_velocity(i, velocity - v * normal);
       ledger.contact.book_impulse(m * v * before, 0);  // not zero only where a node strikes the plane
     }
   }

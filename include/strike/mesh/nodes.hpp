@@ -10,6 +10,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -17,35 +18,43 @@ namespace strike {
 /// What becomes of a direction of a node's motion that is not free: it does not move, or moves as it is told.
 enum class Held { still, moved };
 
+namespace detail {
+struct HeldDirection {
+  Eigen::Vector3d direction;
+  Held how;
+};
+}  // namespace detail
+
 /// A vector at a node, padded so that it moves as one register.
 template <class Real>
 struct alignas(4 * sizeof(Real)) Padded {
   Real x[4]{};
 };
 
-/// The nodes of a scene in motion: reference position X, position x, velocity v and force f of node i [consistent
-/// units] and its mass.
+/// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass. They
+/// are kept in Real and told and given in double.
 template <class Real>
 class Nodes {
  public:
-  using Vector = Eigen::Matrix<Real, 3, 1>;
   using Field = std::vector<Padded<Real>>;
 
   explicit Nodes(const std::vector<Eigen::Vector3d>& X)
       : position_(X.size()), velocity_(X.size()), force_(X.size()), mass_(X.size()) {
-    for (std::size_t i = 0; i < X.size(); ++i) x(i) = X[i].cast<Real>();
+    for (std::size_t i = 0; i < X.size(); ++i) set_position(i, X[i]);
   }
 
   std::size_t size() const { return mass_.size(); }
 
-  auto x(std::size_t i) { return Eigen::Map<Vector>(position_[i].x); }
-  auto v(std::size_t i) { return Eigen::Map<Vector>(velocity_[i].x); }
-  auto f(std::size_t i) { return Eigen::Map<Vector>(force_[i].x); }
-  Real& mass(std::size_t i) { return mass_[i]; }
-  auto x(std::size_t i) const { return Eigen::Map<const Vector>(position_[i].x); }
-  auto v(std::size_t i) const { return Eigen::Map<const Vector>(velocity_[i].x); }
-  auto f(std::size_t i) const { return Eigen::Map<const Vector>(force_[i].x); }
-  Real mass(std::size_t i) const { return mass_[i]; }
+  // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
+  const Eigen::Vector3d x(std::size_t i) const { return told(position_[i]); }
+  const Eigen::Vector3d v(std::size_t i) const { return told(velocity_[i]); }
+  const Eigen::Vector3d f(std::size_t i) const { return told(force_[i]); }
+  double mass(std::size_t i) const { return static_cast<double>(mass_[i]); }
+
+  void set_position(std::size_t i, const Eigen::Vector3d& x) { set(position_[i], x); }
+  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { set(velocity_[i], v); }
+  void add_force(std::size_t i, const Eigen::Vector3d& f) { set(force_[i], told(force_[i]) + f); }
+  void add_mass(std::size_t i, double m) { mass_[i] += static_cast<Real>(m); }
 
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
   /// right angles to all directions taken before, or zero. Which motions are left does not depend on the order.
@@ -58,10 +67,9 @@ class Nodes {
     for (auto h = first; h != last; ++h) {
       const double overlap = h->second.direction.dot(direction);
       if (std::abs(overlap) > 1e-6 && (how == Held::moved || h->second.how == Held::moved))
-        throw Error(
-            detail::joined({"strike: node ", std::to_string(i), " at ",
-                            detail::text(Eigen::Vector3d(x(i).template cast<double>())), " has two conditions along ",
-                            detail::text(direction), ", and one prescribes its motion; take it out of the other."}));
+        throw Error(detail::joined({"strike: node ", std::to_string(i), " at ", detail::text(x(i)),
+                                    " has two conditions along ", detail::text(direction),
+                                    ", and one prescribes its motion; take it out of the other."}));
       direction -= overlap * h->second.direction;
     }
     if (direction.norm() < 1e-6) return Eigen::Vector3d::Zero();
@@ -76,25 +84,25 @@ class Nodes {
     return a;
   }
 
-  /// The padded vector of node i, for loops over all nodes.
-  static auto wide(Padded<Real>& a) { return Eigen::Map<Eigen::Array<Real, 4, 1>, Eigen::Aligned>(a.x); }
-
   Field& position() { return position_; }
   Field& velocity() { return velocity_; }
   Field& force() { return force_; }
   const Field& position() const { return position_; }
   const Field& velocity() const { return velocity_; }
   const Field& force() const { return force_; }
+  const std::vector<Real>& mass() const { return mass_; }
 
  private:
-  struct HeldDirection {
-    Eigen::Vector3d direction;
-    Held how;
-  };
+  static Eigen::Vector3d told(const Padded<Real>& a) {
+    return {static_cast<double>(a.x[0]), static_cast<double>(a.x[1]), static_cast<double>(a.x[2])};
+  }
+  static void set(Padded<Real>& a, const Eigen::Vector3d& value) {
+    for (int c = 0; c < 3; ++c) a.x[c] = static_cast<Real>(value(c));
+  }
 
   Field position_, velocity_, force_;
   std::vector<Real> mass_;
-  std::multimap<std::size_t, HeldDirection> held_;
+  std::multimap<std::size_t, detail::HeldDirection> held_;
 };
 
 /// A step in time as those see it who push or hold nodes: it begins at `time`, `dt` long, after one of `dt_before`.

@@ -133,6 +133,10 @@ class Dual {
     const T root = sqrt(a.value_);
     return chain(a, root, T(0.5) / root);
   }
+  friend Dual rsqrt(const Dual& a) {
+    const T root = rsqrt(a.value_);
+    return chain(a, root, T(-0.5) * root / a.value_);
+  }
   friend Dual cbrt(const Dual& a) {
     const T root = cbrt(a.value_);
     return chain(a, root, 1 / (3 * root * root));

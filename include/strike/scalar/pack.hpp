@@ -136,6 +136,11 @@ class Pack {
   friend Pack sqrt(const Pack& a) {
     return detail::by_register<Pack>([&](std::size_t k) { return root(a.r_[k]); });
   }
+  /// 1/sqrt(a) to 2 ulp: in the widest registers by the machine's first 14 bits, which takes half the time of root and
+  /// quotient.
+  friend Pack rsqrt(const Pack& a) {
+    return detail::by_register<Pack>([&](std::size_t k) { return inverse_root(a.r_[k]); });
+  }
   friend T reduce_sum(const Pack& a) {
     T s = a[0];
     for (std::size_t i = 1; i < N; ++i) s += a[i];
@@ -149,6 +154,22 @@ class Pack {
   friend T reduce_max(const Pack& a) { return -reduce_min(-a); }
 
  private:
+  /// From y = (1 - e)^(1/2)/sqrt(a): 1/sqrt(a) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + ...), |e| < 2^-13. Of 0, inf and NaN
+  /// the machine's guess is exact, and e is NaN.
+  static Register inverse_root(const Register& a) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Register) == 64) {
+      Register y;
+      if constexpr (sizeof(T) == 8)
+        y = _mm512_maskz_rsqrt14_pd(0xff, a);
+      else
+        y = _mm512_maskz_rsqrt14_ps(0xffff, a);
+      const Register e = T(1) - (a * y) * y;
+      return e == e ? y + y * e * (T(0.5) + e * (T(0.375) + e * T(0.3125))) : y;
+    }
+#endif
+    return (Register{} + T(1)) / root(a);
+  }
   static Register root(const Register& a) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(Register) == 64) {

@@ -33,6 +33,11 @@ constexpr std::common_type_t<A, B> min(A a, B b) { return b < a ? b : a; }
 template <class A, class B>
 requires detail::BuiltIn<A, B>
 constexpr std::common_type_t<A, B> max(A a, B b) { return a < b ? b : a; }
+/// 1/sqrt(a).
+template <std::floating_point T>
+T rsqrt(T a) {
+  return T(1) / std::sqrt(a);
+}
 constexpr bool any(bool condition) { return condition; }
 constexpr bool all(bool condition) { return condition; }
 template <std::floating_point T>
@@ -64,6 +69,7 @@ concept Scalar = std::copyable<T> && std::constructible_from<T, double> && requi
   { max(a, b) } -> std::convertible_to<T>;
   { abs(a) } -> std::convertible_to<T>;
   { sqrt(a) } -> std::convertible_to<T>;
+  { rsqrt(a) } -> std::convertible_to<T>;
   { cbrt(a) } -> std::convertible_to<T>;
   { exp(a) } -> std::convertible_to<T>;
   { log(a) } -> std::convertible_to<T>;

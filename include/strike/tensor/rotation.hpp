@@ -60,11 +60,9 @@ struct HughesWinget {
     const T x = w(0), y = w(1), z = w(2);
     const T s = 1.0 / (1.0 + 0.25 * (x * x + y * y + z * z));
     const T h = 0.5 * s;
-    Matrix3<T> Q;
-    Q << 1.0 - h * (y * y + z * z), h * x * y - s * z, h * z * x + s * y,  //
-        h * x * y + s * z, 1.0 - h * (z * z + x * x), h * y * z - s * x,   //
-        h * z * x - s * y, h * y * z + s * x, 1.0 - h * (x * x + y * y);
-    return {Q};
+    return {columns<T>({1.0 - h * (y * y + z * z), h * x * y + s * z, h * z * x - s * y},
+                       {h * x * y - s * z, 1.0 - h * (z * z + x * x), h * y * z + s * x},
+                       {h * z * x + s * y, h * y * z - s * x, 1.0 - h * (x * x + y * y)})};
   }
 };
 
