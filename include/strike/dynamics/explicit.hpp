@@ -48,13 +48,12 @@ class Explicit {
     each([&](auto& thing) {
       if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
     });
-    double mass = 0, distance = 0;
+    double mass = 0, rounding = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       ledger_.kinetic += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
       mass += nodes_.mass(i);
-      distance = std::max(distance, nodes_.x(i).template lpNorm<Eigen::Infinity>());
+      rounding = std::max(rounding, nodes_.resolution(i));
     }
-    const double rounding = static_cast<double>(std::numeric_limits<Real>::epsilon()) * distance;
     rounding_ = 0.5 * mass * rounding * rounding;
     each([&](auto& thing) {
       if constexpr (requires { thing.stored_energy(); }) ledger_.internal.book(thing.stored_energy());

@@ -278,14 +278,13 @@ class RunningPart {
   /// An element so far from the origin that the spacing of the numbers there would strain it by more than a thousandth.
   void check_resolution(const Nodes<Real>& nodes, std::size_t e) const {
     const std::array<Index, n> c = cell(e);
-    double distance = 0, gap = std::numeric_limits<double>::infinity();
+    double spacing = 0, gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
       const Eigen::Vector3d x = nodes.x(c[i]);
-      distance = std::max(distance, x.lpNorm<Eigen::Infinity>());
+      spacing = std::max(spacing, nodes.resolution(c[i]));
       for (std::size_t j = 0; j < i; ++j)
         if (const double d = Eigen::Vector3d(x - nodes.x(c[j])).norm(); d > 0) gap = std::min(gap, d);
     }
-    const double spacing = distance * static_cast<double>(std::numeric_limits<Real>::epsilon());
     if (spacing > 1e-3 * gap)
       throw Error(detail::joined({"strike: ", name(e), " at ", place(nodes, e), " is only ", detail::text(gap),
                                   " wide where numbers are ", detail::text(spacing),

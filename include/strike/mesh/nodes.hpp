@@ -1,7 +1,8 @@
 #pragma once
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,10 +20,41 @@ namespace strike {
 enum class Held { still, moved };
 
 namespace detail {
-struct HeldDirection {
-  Eigen::Vector3d direction;
-  Held how;
+
+/// The directions that conditions take from the motion of nodes.
+class HeldDirections {
+ public:
+  /// See Nodes::hold; `place` is for the message.
+  Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& place, Eigen::Vector3d direction, Held how) {
+    const auto [first, last] = held_.equal_range(i);
+    for (auto h = first; h != last; ++h) {
+      const double overlap = h->second.direction.dot(direction);
+      if (std::abs(overlap) > 1e-6 && (how == Held::moved || h->second.how == Held::moved))
+        throw Error(joined({"strike: node ", std::to_string(i), " at ", text(place), " has two conditions along ",
+                            text(direction), ", and one prescribes its motion; take it out of the other."}));
+      direction -= overlap * h->second.direction;
+    }
+    if (direction.norm() < 1e-6) return Eigen::Vector3d::Zero();
+    direction.normalize();
+    held_.insert({i, {direction, how}});
+    return direction;
+  }
+  /// The part of a vector along which node i is free to move.
+  Eigen::Vector3d free(std::size_t i, Eigen::Vector3d a) const {
+    const auto [first, last] = held_.equal_range(i);
+    for (auto h = first; h != last; ++h) a -= h->second.direction.dot(a) * h->second.direction;
+    return a;
+  }
+
+ private:
+  struct HeldDirection {
+    Eigen::Vector3d direction;
+    Held how;
+  };
+
+  std::multimap<std::size_t, HeldDirection> held_;
 };
+
 }  // namespace detail
 
 /// A vector at a node, padded so that it moves as one register.
@@ -59,29 +91,20 @@ class Nodes {
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
   /// right angles to all directions taken before, or zero. Which motions are left does not depend on the order.
   /// Errors: no such node; one of two directions that are not at right angles is prescribed.
-  Eigen::Vector3d hold(std::size_t i, Eigen::Vector3d direction, Held how = Held::still) {
+  Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& direction, Held how = Held::still) {
     if (i >= size())
       throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
                                   std::to_string(size()), " nodes; count them from 0."}));
-    const auto [first, last] = held_.equal_range(i);
-    for (auto h = first; h != last; ++h) {
-      const double overlap = h->second.direction.dot(direction);
-      if (std::abs(overlap) > 1e-6 && (how == Held::moved || h->second.how == Held::moved))
-        throw Error(detail::joined({"strike: node ", std::to_string(i), " at ", detail::text(x(i)),
-                                    " has two conditions along ", detail::text(direction),
-                                    ", and one prescribes its motion; take it out of the other."}));
-      direction -= overlap * h->second.direction;
-    }
-    if (direction.norm() < 1e-6) return Eigen::Vector3d::Zero();
-    direction.normalize();
-    held_.insert({i, {direction, how}});
-    return direction;
+    return held_.hold(i, x(i), direction, how);
   }
   /// The part of a vector along which node i is free to move.
-  Eigen::Vector3d free(std::size_t i, Eigen::Vector3d a) const {
-    const auto [first, last] = held_.equal_range(i);
-    for (auto h = first; h != last; ++h) a -= h->second.direction.dot(a) * h->second.direction;
-    return a;
+  Eigen::Vector3d free(std::size_t i, const Eigen::Vector3d& a) const { return held_.free(i, a); }
+
+  /// The spacing of the numbers where node i is [length].
+  double resolution(std::size_t i) const {
+    const Eigen::Vector3d at = x(i);
+    return static_cast<double>(std::numeric_limits<Real>::epsilon()) *
+           std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }
 
   Field& position() { return position_; }
@@ -102,7 +125,7 @@ class Nodes {
 
   Field position_, velocity_, force_;
   std::vector<Real> mass_;
-  std::multimap<std::size_t, detail::HeldDirection> held_;
+  detail::HeldDirections held_;
 };
 
 /// A step in time as those see it who push or hold nodes: it begins at `time`, `dt` long, after one of `dt_before`.

@@ -8,6 +8,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
@@ -39,7 +40,7 @@ template <std::size_t N>
 Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const std::array<Index, N>& cell) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Index node : cell) sum += nodes[node];
-  return sum / double(N);
+  return (1.0 / N) * sum;
 }
 
 namespace detail {

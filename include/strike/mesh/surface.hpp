@@ -32,7 +32,7 @@ inline Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const Fa
   const std::size_t corners = face.is_triangle() ? 3 : 4;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < corners; ++i) sum += nodes[face.nodes[i]];
-  return sum / double(corners);
+  return (1.0 / double(corners)) * sum;
 }
 
 namespace detail {

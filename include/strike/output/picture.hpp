@@ -26,9 +26,9 @@ enum class Sides { outer, both };
 /// What a picture shows and how.
 struct PictureOptions {
   std::string title = {}, caption = {};
-  std::string quantity = {}, unit = {};           ///< head of the legend
-  Eigen::Vector3d from = {2, -3, 1};              ///< direction in which the eye is, infinitely far
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< what is up in the picture
+  std::string quantity = {}, unit = {};  ///< head of the legend
+  Eigen::Vector3d from = {2, -3, 1};     ///< direction in which the eye is, infinitely far
+  Eigen::Vector3d up = {0, 0, 1};        ///< what is up in the picture
   /// Planes x = 0, ... in which the model is mirrored; a plane of symmetry that is left out shows as a section.
   std::vector<Axis> mirror = {};
   double low = std::numeric_limits<double>::quiet_NaN();   ///< value at the lower end of the legend; NaN: the smallest
@@ -50,9 +50,7 @@ class Picture {
     toward_ = options_.from.normalized();
     right_ = cross(options_.up, toward_);
     if (right_.norm() < 1e-6 * options_.up.norm()) {  // the eye is right above
-      Eigen::Index least = 0;
-      toward_.cwiseAbs().minCoeff(&least);
-      right_ = cross<double>(Eigen::Vector3d::Unit(least), toward_);
+      right_ = cross(unit(std::abs(toward_.x()) < 0.5 ? Axis::x : Axis::y), toward_);
     }
     right_.normalize();
     up_ = cross(toward_, right_);
@@ -72,7 +70,7 @@ class Picture {
     }
     for (const double value : values) note(value);
     const double on_plane = 1e-6 * extent(positions);
-    add(faces, positions, values, sides, on_plane, Eigen::Vector3d::Ones(), 0);
+    add(faces, positions, values, sides, on_plane, {1, 1, 1}, 0);
   }
 
   /// Marks a place with a dot, on top of everything, and a label beside it.

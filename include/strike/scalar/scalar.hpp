@@ -126,7 +126,8 @@ constexpr void set_lane(T& a, std::size_t i, std::type_identity_t<LaneOf<T>> val
 template <class T, class Aggregate>
 auto numbers_of(Aggregate& aggregate) {
   using Number = std::conditional_t<std::is_const_v<Aggregate>, const T, T>;
-  static_assert(sizeof(Aggregate) % sizeof(T) == 0 && std::is_trivially_destructible_v<Aggregate>);
+  static_assert(sizeof(Aggregate) % sizeof(T) == 0 && std::is_trivially_destructible_v<Aggregate>,
+                "strike: numbers_of needs an aggregate that holds numbers of this type alone.");
   return std::span<Number, sizeof(Aggregate) / sizeof(T)>(reinterpret_cast<Number*>(&aggregate),
                                                           sizeof(Aggregate) / sizeof(T));
 }
