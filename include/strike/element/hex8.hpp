@@ -57,18 +57,20 @@ struct Hex8 {
                          double dt) const {
     // Statements stand in an order in which the long chains of dependent operations (roots, quotients) run beside
     // others.
-    const Hex8Modes<T> m = to_modes<T>(x), u = to_modes<T>(v);
+    const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T& V = g.volume;
     const T J = V * state.inverse_volume, compression = 1.0 / J;
+    const T w = T(1.0 / 512.0) * state.inverse_volume * state.inverse_volume;
+    const SymmetricTensor<T> S_b = w * g.squared_b(), S = S_b + w * g.squared_a();  // B B^T/V0^2
+    const T eigenvalue = largest_eigenvalue(S), shrinkage = compression * compression;
+    const Hex8Modes<T> u = to_modes<T>(v);
     const T per_volume = compression * state.inverse_volume;  // 1/V
     const T rho = material.density() * compression, specific_volume = (1.0 / material.density()) * J;
 
     const Matrix3<T> L = g.gradient_of(u, per_volume);
-    const T w = T(1.0 / 512.0) * per_volume * per_volume;
-    const SymmetricTensor<T> S_b = w * g.squared_b(), S = S_b + w * g.squared_a();
     const Matrix3<T> L_mid = instant(L, dt);
-    const Stability<T> stability{trace(S), largest_eigenvalue(S), specific_volume};
+    const Stability<T> stability{shrinkage * trace(S), shrinkage * eigenvalue, specific_volume};
 
     const Vector3<T> spin = T(dt) * axial_vector(L_mid);
     const auto to_end = instant.to_end(spin);
@@ -119,7 +121,7 @@ struct Hex8 {
       Matrix3<T> Qm = outer(Q[0], m.b1);
       add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
       P = P - per_volume * Qm;
-      hourglass_overlap = overlap(S, S_b, m, g, per_volume);
+      hourglass_overlap = overlap(S, S_b, shrinkage, m, g, per_volume);
     }
 
     const Moduli<T> after = material.moduli(state.material, rate);
@@ -140,13 +142,14 @@ struct Hex8 {
 
  private:
   /// tr(P gamma gamma^T)/8 of the hourglass vectors gamma_k = Lambda_k - b.m_k, where P projects onto the gradient b =
-  /// B/V: |P gamma_k|^2 = m_k.S m_k - m_k.g_k/(4 V) + g_k.S^-1 g_k/(8 V)^2.
+  /// B/V: |P gamma_k|^2 = m_k.S m_k - m_k.g_k/(4 V) + g_k.S^-1 g_k/(8 V)^2, S = B B^T/V^2. Given is S V^2/V0^2.
   template <class T>
-  static T overlap(const SymmetricTensor<T>& S, const SymmetricTensor<T>& S_b, const Hex8Modes<T>& m,
-                   const Hex8Gradient<T>& g, const T& per_volume) {
+  static T overlap(const SymmetricTensor<T>& S, const SymmetricTensor<T>& S_b, const T& shrinkage,
+                   const Hex8Modes<T>& m, const Hex8Gradient<T>& g, const T& per_volume) {
     const SymmetricTensor<T> mm = outer_square(m.b1) + outer_square(m.b2) + outer_square(m.b3) + outer_square(m.d);
     const T mg = dot(m.b1, g.b1) + dot(m.b2, g.b2) + dot(m.b3, g.b3);
-    return max(T(0.0), 0.125 * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
+    return max(T(0.0),
+               0.125 * shrinkage * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
   }
 
   static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;
