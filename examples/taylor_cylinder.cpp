@@ -33,15 +33,6 @@ struct Study {
   bool unilateral;
 };
 
-/// What is left of a run.
-struct Outcome {
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<double> plastic_strain, times, lengths;
-  Energy energy;
-  double drift, seconds;
-  std::size_t steps;
-};
-
 double length_of(const std::vector<Eigen::Vector3d>& positions) {
   double top = 0;
   for (const auto& x : positions) top = std::max(top, x.z());
@@ -53,23 +44,9 @@ double radius_of(const std::vector<Eigen::Vector3d>& positions) {
   return r;
 }
 
-template <class Element, class T>
-Outcome strike_wall(const Element& element, In<T> number, const Study& study) {
-  // A quarter of the bar. The foot slides on the wall; `wall=unilateral` also lets it leave.
-  const Mesh& bar = study.bar;
-  const std::vector<Index> foot = nodes_where(bar.nodes, on_plane(Axis::z, 0)), nobody;
-  Explicit run{Scene{bar.nodes,                                                        //
-                     Part{element, copper, bar.hexahedra},                             //
-                     InitialVelocity{{0, 0, -speed}},                                  //
-                     Symmetry{Axis::x, nodes_where(bar.nodes, on_plane(Axis::x, 0))},  //
-                     Symmetry{Axis::y, nodes_where(bar.nodes, on_plane(Axis::y, 0))},  //
-                     Symmetry{Axis::z, study.unilateral ? nobody : foot},              //
-                     RigidWall{{0, 0, 0}, {0, 0, 1}, study.unilateral ? all_nodes(bar.nodes) : nobody}},
-               ExplicitOptions{.step_factor = study.step_factor}, number};
-
-  const auto plastic_strain = [&] {
-    return run.template thing<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
-  };
+/// What is left of a run: a history, a film, and the figures of the report.
+struct Record {
+  const Mesh& bar;
   History history{"history.csv",
                   {{"time", "ms"},
                    {"length", "mm"},
@@ -82,42 +59,67 @@ Outcome strike_wall(const Element& element, In<T> number, const Study& study) {
                    {"energy error", "1"}}};
   VtuSeries film{"bar"};
   Progress progress{{.end = end, .unit = "ms"}};
-  Outcome outcome{};
+  std::vector<double> times, lengths;
+  double drift = 0;
+
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<double> plastic_strain;
+  Energy energy;
+  double seconds = 0;
+  std::size_t steps = 0;
+
+  void sample(double time, const std::vector<Eigen::Vector3d>& x, const Energy& e) {
+    times.push_back(1000 * time), lengths.push_back(length_of(x));
+    history.row(time, length_of(x), radius_of(x), 4 * e.kinetic, 4 * e.internal, 4 * e.hourglass, 4 * e.bulk_viscosity,
+                4 * e.contact, e.error());
+  }
+  void frame(double time, const std::vector<Eigen::Vector3d>& x, const std::vector<double>& strain) {
+    film.write(time, bar, x, {}, {{"equivalent plastic strain", strain}});
+  }
+  void watch(double time, std::size_t step, double error) {
+    drift = std::max(drift, std::abs(error));
+    progress(time, step, error);
+  }
+};
+
+template <class Element, class T>
+void strike_wall(const Element& element, In<T> number, const Study& study, Record& record) {
+  // A quarter of the bar. The foot slides on the wall; `wall=unilateral` also lets it leave.
+  const Mesh& bar = study.bar;
+  const std::vector<Index> foot = nodes_where(bar.nodes, on_plane(Axis::z, 0)), nobody;
+  Explicit run{Scene{bar.nodes,                                                        //
+                     Part{element, copper, bar.hexahedra},                             //
+                     InitialVelocity{{0, 0, -speed}},                                  //
+                     Symmetry{Axis::x, nodes_where(bar.nodes, on_plane(Axis::x, 0))},  //
+                     Symmetry{Axis::y, nodes_where(bar.nodes, on_plane(Axis::y, 0))},  //
+                     Symmetry{Axis::z, study.unilateral ? nobody : foot},              //
+                     RigidWall{{0, 0, 0}, {0, 0, 1}, study.unilateral ? all_nodes(bar.nodes) : nobody}},
+               ExplicitOptions{.step_factor = study.step_factor}, number};
+  const auto plastic_strain = [&] {
+    return run.template thing<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
+  };
+
   const std::clock_t begin = std::clock();
-  run.until(end,
-            Every{end / 160,
-                  [&] {
-                    const Energy& e = run.energy();
-                    const auto x = run.positions();
-                    outcome.times.push_back(1000 * run.time()), outcome.lengths.push_back(length_of(x));
-                    history.row(run.time(), length_of(x), radius_of(x), 4 * e.kinetic, 4 * e.internal, 4 * e.hourglass,
-                                4 * e.bulk_viscosity, 4 * e.contact, e.error());
-                  }},
-            Every{end / 16,
-                  [&] {
-                    film.write(run.time(), bar, run.positions(), {}, {{"equivalent plastic strain", plastic_strain()}});
-                  }},
-            [&] {
-              outcome.drift = std::max(outcome.drift, std::abs(run.energy().error()));
-              progress(run.time(), run.steps(), run.energy().error());
-            });
-  outcome.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  outcome.positions = run.positions(), outcome.plastic_strain = plastic_strain(), outcome.energy = run.energy(),
-  outcome.steps = run.steps();
-  return outcome;
+  run.until(end,  //
+            Every{end / 160, [&] { record.sample(run.time(), run.positions(), run.energy()); }},
+            Every{end / 16, [&] { record.frame(run.time(), run.positions(), plastic_strain()); }},
+            [&] { record.watch(run.time(), run.steps(), run.energy().error()); });
+  record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  record.positions = run.positions(), record.plastic_strain = plastic_strain(), record.energy = run.energy(),
+  record.steps = run.steps();
 }
 
 /// The published table (Brockman and Held 1991), the limit of fine meshes (docs/verification.md), and this run.
-void report(const Study& study, const Outcome& outcome, const std::string& what) {
+void report(const Study& study, const Record& record, const std::string& what) {
   struct Row {
     const char* quantity;
     double ours;
     std::array<double, 5> others;
   };
   const Mesh& bar = study.bar;
-  const double L = length_of(outcome.positions), R = radius_of(outcome.positions);
-  const double strain = *std::max_element(outcome.plastic_strain.begin(), outcome.plastic_strain.end());
-  const Energy& e = outcome.energy;
+  const double L = length_of(record.positions), R = radius_of(record.positions);
+  const double strain = *std::max_element(record.plastic_strain.begin(), record.plastic_strain.end());
+  const Energy& e = record.energy;
   std::printf("\nTaylor cylinder, %zu hexahedra, %s\n\n", bar.hexahedra.size(), what.c_str());
   std::printf("%-24s%9s%9s%9s%9s%11s%11s%11s%11s\n", "", "X3D", "DYNA2D", "DYNA3D", "NIKE2D", "converged", "this run",
               "to X3D", "to limit");
@@ -132,8 +134,7 @@ void report(const Study& study, const Outcome& outcome, const std::string& what)
   std::printf(
       "\n%zu steps (X3D: 8886), %.2f s of CPU with its output (X3D on a VAX 8650: 6 h 36 min), %.0f ns per element and "
       "step\n",
-      outcome.steps, outcome.seconds,
-      1e9 * outcome.seconds / static_cast<double>(outcome.steps * bar.hexahedra.size()));
+      record.steps, record.seconds, 1e9 * record.seconds / static_cast<double>(record.steps * bar.hexahedra.size()));
   std::printf("\nEnergies of the whole bar [J] and their share of the first [%%]\n");
   for (const auto& [name, energy] : {std::pair{"initial kinetic", e.initial},
                                      {"kinetic", e.kinetic},
@@ -142,7 +143,7 @@ void report(const Study& study, const Outcome& outcome, const std::string& what)
                                      {"bulk viscosity", e.bulk_viscosity},
                                      {"contact", e.contact}})
     std::printf("  %-18s%10.4f%10.3f %%\n", name, 4 * energy, 100 * energy / e.initial);
-  std::printf("  %-18s%10s%10.4f %%\n", "largest error", "", 100 * outcome.drift);
+  std::printf("  %-18s%10s%10.4f %%\n", "largest error", "", 100 * record.drift);
 
   Results results;
   const double wide = std::numeric_limits<double>::infinity();
@@ -157,23 +158,23 @@ void report(const Study& study, const Outcome& outcome, const std::string& what)
     results.add({"foot radius", R, "mm", 7.22, wide, source});
     results.add({"largest plastic strain", strain, "1", 3.3, wide, source});
   }
-  results.add({"energy error", outcome.drift, "1", 0, 1e-3, "balance"});
+  results.add({"energy error", record.drift, "1", 0, 1e-3, "balance"});
   results.add({"hourglass energy", e.hourglass / e.initial, "1", 0, 0.02, "share of the initial kinetic energy"});
-  results.add({"steps", static_cast<double>(outcome.steps), "1", 8886, wide, "X3D (Brockman and Held 1991)"});
-  results.add({"CPU time", outcome.seconds, "s"});
+  results.add({"steps", static_cast<double>(record.steps), "1", 8886, wide, "X3D (Brockman and Held 1991)"});
+  results.add({"CPU time", record.seconds, "s"});
   results.write("results.csv");
 
   Chart chart{{.title = "Length of the Taylor bar",
                .x = {.label = "time", .unit = "us"},
                .y = {.label = "length", .unit = "mm"}}};
-  chart.curve("strike", outcome.times, outcome.lengths);
+  chart.curve("strike", record.times, record.lengths);
   chart.points("X3D, DYNA, NIKE: final length", {80}, {21.47});
   chart.write("length.svg");
   Picture picture{{.title = "Taylor cylinder at 80 us",
                    .quantity = "equivalent plastic strain",
                    .mirror = {Axis::x, Axis::y},
                    .length_unit = "mm"}};
-  picture.add(surface(bar), outcome.positions, outcome.plastic_strain);
+  picture.add(surface(bar), record.positions, record.plastic_strain);
   picture.write("bar.svg");
   std::printf("\nWritten: results.csv, history.csv, length.svg, bar.svg, bar.pvd (ParaView)\n");
 }
@@ -192,8 +193,11 @@ int main(int count, char** arguments) {
     options.check();
 
     const Hex8 brick{ViscousHourglass{.coefficient = Q}};
-    const Outcome outcome =
-        scalar == "float" ? strike_wall(brick, in<Pack<float>>, study) : strike_wall(brick, in<Pack<double>>, study);
-    report(study, outcome, detail::joined({scalar, ", hourglass ", detail::text(Q), ", wall ", wall}));
+    Record record{study.bar};
+    if (scalar == "float")
+      strike_wall(brick, in<Pack<float>>, study, record);
+    else
+      strike_wall(brick, in<Pack<double>>, study, record);
+    report(study, record, detail::joined({scalar, ", hourglass ", detail::text(Q), ", wall ", wall}));
   });
 }

@@ -23,7 +23,7 @@ class RigidWall {
   void begin(const N& nodes) {
     if (!everywhere_) return;
     nodes_.resize(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes_[i] = static_cast<Index>(i);
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes_[k] = nodes.number(k);  // as they lie in memory
   }
 
   template <class N, class Ledger>

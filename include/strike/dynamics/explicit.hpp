@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/clock.hpp>
 #include <strike/dynamics/ledger.hpp>
 #include <strike/dynamics/scene.hpp>
@@ -40,29 +41,7 @@ class Explicit {
   using Real = RealOf<T>;
 
   explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, In<T> = {})
-      : options_(options), nodes_(scene.nodes), things_(start(std::move(scene.things), nodes_)) {
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (!(nodes_.mass(i) > 0))
-        throw Error(detail::joined({"strike: node ", std::to_string(i), " at ", place(i),
-                                    " has no mass, for it belongs to no element; remove it."}));
-    each([&](auto& thing) {
-      if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
-    });
-    double mass = 0, rounding = 0;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      ledger_.kinetic += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
-      mass += nodes_.mass(i);
-      rounding = std::max(rounding, nodes_.resolution(i));
-    }
-    rounding_ = 0.5 * mass * rounding * rounding;
-    each([&](auto& thing) {
-      if constexpr (requires { thing.stored_energy(); }) ledger_.internal.book(thing.stored_energy());
-    });
-    ledger_.initial = ledger_.kinetic + ledger_.internal.settled();
-    energy_ = ledger_.energy();
-    deform();
-    push();
-  }
+      : Explicit(std::move(scene), options, detail::arrange(scene)) {}
 
   /// One step: from n to n + 1.
   void step() {
@@ -141,10 +120,39 @@ class Explicit {
  private:
   using Running = std::tuple<typename detail::Running<Things, T>::type...>;
 
-  static Running start(std::tuple<Things...> things, Nodes<Real>& nodes) {
+  Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, detail::Arrangement arrangement)
+      : options_(options),
+        nodes_(scene.nodes, std::move(arrangement.nodes)),
+        things_(start(std::move(scene.things), nodes_, std::move(arrangement.cells))) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (!(nodes_.mass(i) > 0))
+        throw Error(detail::joined({"strike: node ", std::to_string(i), " at ", place(i),
+                                    " has no mass, for it belongs to no element; remove it."}));
+    each([&](auto& thing) {
+      if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
+    });
+    double mass = 0, rounding = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      ledger_.kinetic += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
+      mass += nodes_.mass(i);
+      rounding = std::max(rounding, nodes_.resolution(i));
+    }
+    rounding_ = 0.5 * mass * rounding * rounding;
+    each([&](auto& thing) {
+      if constexpr (requires { thing.stored_energy(); }) ledger_.internal.book(thing.stored_energy());
+    });
+    ledger_.initial = ledger_.kinetic + ledger_.internal.settled();
+    energy_ = ledger_.energy();
+    deform();
+    push();
+  }
+
+  static Running start(std::tuple<Things...> things, Nodes<Real>& nodes, std::vector<std::vector<Index>> orders) {
     std::size_t number = 0;
     return std::apply(
-        [&](auto&... thing) { return Running{detail::Running<Things, T>::start(std::move(thing), nodes, number)...}; },
+        [&](auto&... thing) {
+          return Running{detail::Running<Things, T>::start(std::move(thing), nodes, orders, number)...};
+        },
         things);
   }
 
@@ -300,8 +308,7 @@ class Explicit {
         [&](const auto&... thing) {
           const auto ask = [&](const auto& part) {
             if constexpr (requires { part.number(); })
-              if (part.number() == stable_.part)
-                text = detail::joined({part.name(stable_.element), " at ", part.place(nodes_, stable_.element)});
+              if (part.number() == stable_.part) text = part.describe(nodes_, stable_.element);
           };
           (ask(thing), ...);
         },

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -112,33 +113,27 @@ class RunningPart {
     State state;
   };
 
-  RunningPart(Part<E, M, n> part, Nodes<Real>& nodes, std::size_t number)
+  /// `order` names every element once, in the order in which they are to lie in memory.
+  RunningPart(Part<E, M, n> part, Nodes<Real>& nodes, std::size_t number, std::vector<Index> order)
       : element_(std::move(part.element)),
         material_(std::move(part.material)),
         size_(part.cells.size()),
-        number_(number) {
-    if (size_ == 0)
-      throw Error(detail::joined({"strike: part ", std::to_string(number), " has no elements; give it cells."}));
+        number_(number),
+        order_(std::move(order)) {
     check_material();
     blocks_.resize((size_ + width - 1) / width);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       for (std::size_t l = 0; l < width; ++l) {
-        const auto& cell = part.cells[std::min(b * width + l, size_ - 1)];  // idle lanes repeat the last element
-        for (std::size_t i = 0; i < n; ++i) {
-          if (cell[i] >= nodes.size())
-            throw Error(detail::joined({"strike: ", name(b * width + l), " names node ", std::to_string(cell[i]),
-                                        ", but there are ", std::to_string(nodes.size()),
-                                        " nodes; correct its connectivity."}));
-          blocks_[b].nodes[i][l] = cell[i];
-        }
+        const auto& cell = part.cells[order_[std::min(b * width + l, size_ - 1)]];  // idle lanes repeat the last one
+        for (std::size_t i = 0; i < n; ++i) blocks_[b].nodes[i][l] = nodes.place(cell[i]);
       }
       const T mass = element_.begin(blocks_[b].state, material_, gather<T, n>(nodes.position(), blocks_[b].nodes));
       for (std::size_t l = 0; l < count(b); ++l) {
         check_resolution(nodes, b * width + l);
         if (!(lane(mass, l) > 0))
-          throw Error(detail::joined({"strike: ", name(b * width + l), " at ", place(nodes, b * width + l),
+          throw Error(detail::joined({"strike: ", describe_at(nodes, b * width + l),
                                       " has no positive mass; its corners are in the wrong order or coincide."}));
-        for (std::size_t i = 0; i < n; ++i) nodes.add_mass(blocks_[b].nodes[i][l], static_cast<double>(lane(mass, l)));
+        for (const Index i : cell(nodes, b * width + l)) nodes.add_mass(i, static_cast<double>(lane(mass, l)));
         mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
       }
     }
@@ -184,7 +179,7 @@ class RunningPart {
     for (std::size_t l = 0; l < width; ++l)
       if (lane(least, l) < stable.dt)
         stable.dt = static_cast<double>(lane(least, l)),
-        stable.element = std::min(static_cast<std::size_t>(lane(where, l)) * width + l, size_ - 1);
+        stable.element = order_[std::min(static_cast<std::size_t>(lane(where, l)) * width + l, size_ - 1)];
     return stable;
   }
 
@@ -211,19 +206,6 @@ class RunningPart {
   const E& element() const { return element_; }
   const M& material() const { return material_; }
 
-  /// The nodes of element e.
-  std::array<Index, n> cell(std::size_t e) const {
-    std::array<Index, n> c;
-    for (std::size_t i = 0; i < n; ++i) c[i] = blocks_[e / width].nodes[i][e % width];
-    return c;
-  }
-  /// The elements' nodes, in the order in which they were given.
-  Cells<n> cells() const {
-    Cells<n> all_cells(size_);
-    for (std::size_t e = 0; e < size_; ++e) all_cells[e] = cell(e);
-    return all_cells;
-  }
-
   /// A number per element, f(material state), the mean over the element's points: part.field([](const auto& s) { return
   /// s.stress.zz; }).
   template <class F>
@@ -233,24 +215,33 @@ class RunningPart {
       T sum = T(0.0);
       double points = 0;
       blocks_[b].state.each_point([&](const auto& state) { sum += f(state), points += 1; });
-      for (std::size_t l = 0; l < count(b); ++l) values[b * width + l] = static_cast<double>(lane(sum, l)) / points;
+      for (std::size_t l = 0; l < count(b); ++l)
+        values[order_[b * width + l]] = static_cast<double>(lane(sum, l)) / points;
     }
     return values;
   }
 
-  std::vector<Block>& blocks() { return blocks_; }
-  const std::vector<Block>& blocks() const { return blocks_; }
-
-  std::string name(std::size_t e) const {
-    return detail::joined({"element ", std::to_string(std::min(e, size_ - 1)), " of part ", std::to_string(number_)});
-  }
-  std::string place(const Nodes<Real>& nodes, std::size_t e) const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Index i : cell(e)) sum += nodes.x(i);
-    return detail::text((1.0 / static_cast<double>(n)) * sum);
-  }
+  /// "element 7 of part 0 at (x, y, z)", its number as given.
+  std::string describe(const Nodes<Real>& nodes, std::size_t e) const { return describe_at(nodes, place_of(e)); }
 
  private:
+  // Elements are known by their places, lane after lane and block after block, but for what the user sees.
+  std::size_t place_of(std::size_t e) const {
+    return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), e) - order_.begin());
+  }
+  std::array<Index, n> cell(const Nodes<Real>& nodes, std::size_t p) const {
+    std::array<Index, n> c;
+    for (std::size_t i = 0; i < n; ++i) c[i] = nodes.number(blocks_[p / width].nodes[i][p % width]);
+    return c;
+  }
+  std::string describe_at(const Nodes<Real>& nodes, std::size_t p) const {
+    p = std::min(p, size_ - 1);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Index i : cell(nodes, p)) sum += nodes.x(i);
+    return detail::joined({"element ", std::to_string(order_[p]), " of part ", std::to_string(number_), " at ",
+                           detail::text((1.0 / static_cast<double>(n)) * sum)});
+  }
+
   /// A model whose numbers no store into a block can change, so that they stay in registers; one that owns tables is
   /// not copied.
   template <class Model>
@@ -276,8 +267,8 @@ class RunningPart {
   }
 
   /// An element so far from the origin that the spacing of the numbers there would strain it by more than a thousandth.
-  void check_resolution(const Nodes<Real>& nodes, std::size_t e) const {
-    const std::array<Index, n> c = cell(e);
+  void check_resolution(const Nodes<Real>& nodes, std::size_t p) const {
+    const std::array<Index, n> c = cell(nodes, p);
     double spacing = 0, gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
       const Eigen::Vector3d x = nodes.x(c[i]);
@@ -286,15 +277,14 @@ class RunningPart {
         if (const double d = Eigen::Vector3d(x - nodes.x(c[j])).norm(); d > 0) gap = std::min(gap, d);
     }
     if (spacing > 1e-3 * gap)
-      throw Error(detail::joined({"strike: ", name(e), " at ", place(nodes, e), " is only ", detail::text(gap),
-                                  " wide where numbers are ", detail::text(spacing),
-                                  " apart; move the mesh to the origin or compute in double."}));
+      throw Error(
+          detail::joined({"strike: ", describe_at(nodes, p), " is only ", detail::text(gap), " wide where numbers are ",
+                          detail::text(spacing), " apart; move the mesh to the origin or compute in double."}));
   }
 
-  [[noreturn, gnu::cold, gnu::noinline]] void explain_inversion(const Nodes<Real>& nodes, std::size_t e,
+  [[noreturn, gnu::cold, gnu::noinline]] void explain_inversion(const Nodes<Real>& nodes, std::size_t p,
                                                                 double volume) const {
-    throw Error(detail::joined({name(e), " at ", place(nodes, std::min(e, size_ - 1)), " is inverted (volume ",
-                                detail::text(volume),
+    throw Error(detail::joined({describe_at(nodes, p), " is inverted (volume ", detail::text(volume),
                                 "); refine the mesh there, use a smaller step factor or let the material fail"}));
   }
 
@@ -302,6 +292,7 @@ class RunningPart {
   M material_;
   std::size_t size_;
   std::size_t number_;
+  std::vector<Index> order_;
   double mass_ = 0;
   std::vector<Block> blocks_;
 };

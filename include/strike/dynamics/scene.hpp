@@ -64,13 +64,15 @@ namespace detail {
 template <class Thing, class T>
 struct Running {
   using type = Thing;
-  static Thing start(Thing thing, Nodes<RealOf<T>>&, std::size_t&) { return thing; }
+  static Thing start(Thing thing, Nodes<RealOf<T>>&, std::vector<std::vector<Index>>&, std::size_t&) { return thing; }
 };
 template <class E, class M, std::size_t n, class T>
 struct Running<Part<E, M, n>, T> {
   using type = RunningPart<E, M, T>;
-  static type start(Part<E, M, n> part, Nodes<RealOf<T>>& nodes, std::size_t& number) {
-    return type(std::move(part), nodes, number++);
+  static type start(Part<E, M, n> part, Nodes<RealOf<T>>& nodes, std::vector<std::vector<Index>>& orders,
+                    std::size_t& number) {
+    const std::size_t mine = number++;
+    return type(std::move(part), nodes, mine, std::move(orders[mine]));
   }
 };
 

@@ -5,12 +5,14 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
+#include <strike/mesh/mesh.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -64,29 +66,36 @@ struct alignas(4 * sizeof(Real)) Padded {
 };
 
 /// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass. They
-/// are kept in Real and told and given in double.
+/// are kept in Real and told and given in double. Node i lies in memory at place(i), chosen for locality.
 template <class Real>
 class Nodes {
  public:
   using Field = std::vector<Padded<Real>>;
 
-  explicit Nodes(const std::vector<Eigen::Vector3d>& X)
-      : position_(X.size()), velocity_(X.size()), force_(X.size()), mass_(X.size()) {
+  /// `order` names every node once, in the order of their places.
+  Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order)
+      : position_(X.size()),
+        velocity_(X.size()),
+        force_(X.size()),
+        mass_(X.size()),
+        number_(std::move(order)),
+        place_(X.size()) {
+    for (std::size_t k = 0; k < number_.size(); ++k) place_[number_[k]] = static_cast<Index>(k);
     for (std::size_t i = 0; i < X.size(); ++i) set_position(i, X[i]);
   }
 
   std::size_t size() const { return mass_.size(); }
 
   // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
-  const Eigen::Vector3d x(std::size_t i) const { return told(position_[i]); }
-  const Eigen::Vector3d v(std::size_t i) const { return told(velocity_[i]); }
-  const Eigen::Vector3d f(std::size_t i) const { return told(force_[i]); }
-  double mass(std::size_t i) const { return static_cast<double>(mass_[i]); }
+  const Eigen::Vector3d x(std::size_t i) const { return told(position_[place_[i]]); }
+  const Eigen::Vector3d v(std::size_t i) const { return told(velocity_[place_[i]]); }
+  const Eigen::Vector3d f(std::size_t i) const { return told(force_[place_[i]]); }
+  double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
 
-  void set_position(std::size_t i, const Eigen::Vector3d& x) { set(position_[i], x); }
-  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { set(velocity_[i], v); }
-  void add_force(std::size_t i, const Eigen::Vector3d& f) { set(force_[i], told(force_[i]) + f); }
-  void add_mass(std::size_t i, double m) { mass_[i] += static_cast<Real>(m); }
+  void set_position(std::size_t i, const Eigen::Vector3d& x) { set(position_[place_[i]], x); }
+  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { set(velocity_[place_[i]], v); }
+  void add_force(std::size_t i, const Eigen::Vector3d& change) { set(force_[place_[i]], f(i) + change); }
+  void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Real>(m); }
 
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
   /// right angles to all directions taken before, or zero. Which motions are left does not depend on the order.
@@ -107,6 +116,11 @@ class Nodes {
            std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }
 
+  /// Where node i lies in the fields, and the number of the node that lies at a place.
+  Index place(std::size_t i) const { return place_[i]; }
+  Index number(std::size_t place) const { return number_[place]; }
+
+  // The fields, place by place.
   Field& position() { return position_; }
   Field& velocity() { return velocity_; }
   Field& force() { return force_; }
@@ -125,6 +139,7 @@ class Nodes {
 
   Field position_, velocity_, force_;
   std::vector<Real> mass_;
+  std::vector<Index> number_, place_;
   detail::HeldDirections held_;
 };
 

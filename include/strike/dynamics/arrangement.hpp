@@ -1,0 +1,46 @@
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <strike/dynamics/scene.hpp>
+#include <strike/error.hpp>
+#include <strike/mesh/order.hpp>
+
+namespace strike::detail {
+
+/// How the elements and nodes of a scene lie in memory: neighbours together, whatever their numbers are.
+struct Arrangement {
+  std::vector<std::vector<Index>> cells;  ///< of each part, the numbers of its elements in order
+  std::vector<Index> nodes;               ///< the numbers of the nodes in the order in which the elements name them
+};
+
+/// Errors: a part without elements; an element that names a node that is not there.
+template <class... Things>
+Arrangement arrange(const Scene<Things...>& scene) {
+  Arrangement arrangement;
+  std::vector<bool> named(scene.nodes.size(), false);
+  const auto name = [&](Index node) {
+    if (!named[node]) named[node] = true, arrangement.nodes.push_back(node);
+  };
+  const auto place = [&](const auto& thing) {
+    if constexpr (is_part<std::decay_t<decltype(thing)>>) {
+      const std::string part = std::to_string(arrangement.cells.size());
+      if (thing.cells.empty()) throw Error(joined({"strike: part ", part, " has no elements; give it cells."}));
+      for (std::size_t e = 0; e < thing.cells.size(); ++e)
+        for (const Index node : thing.cells[e])
+          if (node >= scene.nodes.size())
+            throw Error(
+                joined({"strike: element ", std::to_string(e), " of part ", part, " names node ", std::to_string(node),
+                        ", but there are ", std::to_string(scene.nodes.size()), " nodes; correct its connectivity."}));
+      arrangement.cells.push_back(locality_order(scene.nodes, thing.cells));
+      for (const Index e : arrangement.cells.back())
+        for (const Index node : thing.cells[e]) name(node);
+    }
+  };
+  std::apply([&](const auto&... thing) { (place(thing), ...); }, scene.things);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) name(static_cast<Index>(i));
+  return arrangement;
+}
+
+}  // namespace strike::detail
