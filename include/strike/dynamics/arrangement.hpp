@@ -1,6 +1,7 @@
 #pragma once
-#include <limits>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include <strike/dynamics/scene.hpp>

@@ -198,7 +198,7 @@ class Explicit {
   /// knows.
   void kick() {
     const Real kick = static_cast<Real>(step_.kick());
-    double kinetic[4]{};
+    double kinetic[4]{};  // the fourth is padding: a node goes as one register
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       Padded<Real>& v = nodes_.velocity()[i];
       const Padded<Real>& f = nodes_.force()[i];
