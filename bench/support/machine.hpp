@@ -24,34 +24,41 @@ double quickest(Action action) {
   return best;
 }
 
-/// How often one core does `next`, a function of a register, to a number [1/s]. The registers of several independent
-/// chains hide its latency.
+/// How often one core does `next` to a number [1/s]. Several independent chains hide its latency.
 template <class T, class Next>
 double rate(Next next) {
-  using Register = typename strike::Pack<T>::Register;
-  constexpr int chains = 10, length = 1 << 21;
+  using Numbers = strike::Pack<T>;
+  constexpr int chains = 10, length = 1 << 23;
   const double seconds = quickest([&] {
     [&]<int... k>(std::integer_sequence<int, k...>) {
-      Register a[chains] = {Register{} + static_cast<T>(source + k)...};
+      Numbers a[chains] = {Numbers(source + k)...};
       for (int i = 0; i < length; ++i) ((a[k] = next(a[k])), ...);
       sink = static_cast<double>((a[k] + ...)[0]);
     }
     (std::make_integer_sequence<int, chains>{});
   });
-  return chains * double(length) * double(strike::native_lanes<T>) / seconds;
+  return double(chains) * double(length) * double(Numbers::size()) / seconds;
 }
 
-/// Products and sums, which go together [flop/s].
+/// Products and sums, fused [flop/s].
 template <class T>
 double peak() {
-  const T b = static_cast<T>(0.5 * source), c = static_cast<T>(source);
-  return 2 * rate<T>([b, c](const auto& a) { return a * b + c; });
+  const strike::Pack<T> b = 0.5 * source, c = double(source);
+  return 2 * rate<T>([b, c](strike::Pack<T> a) {
+           a.native(0) = a.native(0) * b.native(0) + c.native(0);  // in one formula, or clang does not fuse them
+           return a;
+         });
 }
 /// [1/s]
 template <class T>
 double quotients() {
-  const T b = static_cast<T>(source);
+  const strike::Pack<T> b = double(source);
   return rate<T>([b](const auto& a) { return b / a; });
+}
+/// [1/s]
+template <class T>
+double roots() {
+  return rate<T>([](const auto& a) { return sqrt(a); });
 }
 
 /// a = b + s c over three arrays of so many bytes together: McCalpin's triad (1995), which counts what is read and

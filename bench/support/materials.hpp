@@ -18,8 +18,7 @@ inline constexpr strike::LinearEos linear{.density = 8930, .bulk_modulus = 130e9
 inline constexpr strike::GruneisenEos gruneisen{
     .density = 8930, .sound_speed = 3940, .S1 = 1.489, .gamma = 2.02, .a = 0.47};
 
-inline constexpr strike::VonMises hardening{
-    .shear_modulus = 43.3e9, .yield_stress = 400e6, .hardening_modulus = 100e6};
+inline constexpr strike::VonMises hardening{.shear_modulus = 43.3e9, .yield_stress = 400e6, .hardening_modulus = 100e6};
 inline constexpr strike::VonMises perfectly_plastic{.shear_modulus = 43.3e9, .yield_stress = 400e6};
 inline constexpr strike::RateVonMises rate_dependent{.shear_modulus = 43.3e9,
                                                      .yield_stress = 400e6,
@@ -36,8 +35,7 @@ inline constexpr strike::JohnsonCook johnson_cook{.shear_modulus = 43.3e9,
                                                   .melting_temperature = 1356,
                                                   .heating = 0.9 / (8930 * 383.0)};
 
-inline constexpr strike::Elastic elastic{
-    .reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = 0.35};
+inline constexpr strike::Elastic elastic{.reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = 0.35};
 inline const strike::Fluid water{strike::CubicEos{.density = 1000, .C1 = 2.2e9, .C2 = 5.5e9}};
 
 }  // namespace bench
