@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -8,7 +9,9 @@
 
 #include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/clock.hpp>
+#include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/ledger.hpp>
+#include <strike/dynamics/method.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/error.hpp>
 
@@ -23,25 +26,23 @@ struct ExplicitOptions {
   double energy_tolerance = 0.05;  ///< the run is given up if the balance is off by more
 };
 
-/// Chooses the number in the formulas of a run: `Explicit run{scene, options, in<Pack<float>>}`.
-template <class T>
-struct In {
-  static constexpr bool is_scalar = Scalar<T>;
-  static_assert(is_scalar,
-                "strike: in<T> names the number in the formulas: double, Pack<double, N>, Pack<float, N> or a Dual.");
-};
-template <class T>
-inline constexpr In<T> in{};
-
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
-/// Between two steps it holds x, f at the time n and v half a step before.
-template <class T, class... Things>
+/// Between two steps it holds x, f at the time n and v half a step before. Policies, after the options and in any
+/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`) and execution (`OpenMP{}`).
+template <class Numbers, class Execution, class... Things>
 class Explicit {
  public:
-  using Real = RealOf<T>;
+  using Real = typename Numbers::NodeReal;
 
-  explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, In<T> = {})
-      : Explicit(std::move(scene), options, detail::arrange(scene)) {}
+  template <class... Policies>
+  explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, const Policies&... policies)
+      : Explicit(std::move(scene), options, detail::pick<detail::IsExecution>(policies..., Serial{}),
+                 detail::arrange(scene)) {
+    static_assert(
+        (detail::is_policy<Policies> && ...),
+        "strike: the policies of Explicit, after its options, are its numbers, such as in<Pack<float>>, and its "
+        "execution, such as OpenMP{}.");
+  }
 
   /// One step: from n to n + 1.
   void step() {
@@ -118,12 +119,15 @@ class Explicit {
   }
 
  private:
-  using Running = std::tuple<typename detail::Running<Things, T>::type...>;
+  using Running = std::tuple<typename detail::Running<Things, Numbers>::type...>;
 
-  Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, detail::Arrangement arrangement)
+  Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution,
+           detail::Arrangement arrangement)
       : options_(options),
+        execution_(execution),
         nodes_(scene.nodes, std::move(arrangement.nodes)),
-        things_(start(std::move(scene.things), nodes_, std::move(arrangement.cells))) {
+        things_(start(std::move(scene.things), nodes_, std::move(arrangement.cells))),
+        kinetic_(detail::chunks(nodes_.size())) {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (!(nodes_.mass(i) > 0))
         throw Error(detail::joined({"strike: node ", std::to_string(i), " at ", place(i),
@@ -151,7 +155,7 @@ class Explicit {
     std::size_t number = 0;
     return std::apply(
         [&](auto&... thing) {
-          return Running{detail::Running<Things, T>::start(std::move(thing), nodes, orders, number)...};
+          return Running{detail::Running<Things, Numbers>::start(std::move(thing), nodes, orders, number)...};
         },
         things);
   }
@@ -198,17 +202,20 @@ class Explicit {
   /// knows.
   void kick() {
     const Real kick = static_cast<Real>(step_.kick());
-    double kinetic[4]{};  // the fourth is padding: a node goes as one register
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      Padded<Real>& v = nodes_.velocity()[i];
-      const Padded<Real>& f = nodes_.force()[i];
-      const Real m = nodes_.mass()[i], kick_per_mass = kick / m;
-      for (int c = 0; c < 4; ++c) {
-        kinetic[c] += static_cast<double>(v.x[c] * (m * v.x[c] + kick * f.x[c]));
-        v.x[c] += kick_per_mass * f.x[c];
+    detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
+      double kinetic[4]{};  // the fourth is padding: a node goes as one register
+      for (std::size_t i = first; i < last; ++i) {
+        Padded<Real>& v = nodes_.velocity()[i];
+        const Padded<Real>& f = nodes_.force()[i];
+        const Real m = nodes_.mass()[i], kick_per_mass = kick / m;
+        for (int c = 0; c < 4; ++c) {
+          kinetic[c] += static_cast<double>(v.x[c] * (m * v.x[c] + kick * f.x[c]));
+          v.x[c] += kick_per_mass * f.x[c];
+        }
       }
-    }
-    ledger_.kinetic = 0.5 * (kinetic[0] + kinetic[1] + kinetic[2]);
+      kinetic_[k] = kinetic[0] + kinetic[1] + kinetic[2];
+    });
+    ledger_.kinetic = 0.5 * std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0);
   }
 
   void constrain() {
@@ -265,12 +272,14 @@ class Explicit {
 
   void drift() {
     const Real dt = static_cast<Real>(step_.dt);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      Padded<Real>& x = nodes_.position()[i];
-      const Padded<Real>& v = nodes_.velocity()[i];
-      for (int c = 0; c < 4; ++c) x.x[c] += dt * v.x[c];
-      nodes_.force()[i] = {};
-    }
+    detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        Padded<Real>& x = nodes_.position()[i];
+        const Padded<Real>& v = nodes_.velocity()[i];
+        for (int c = 0; c < 4; ++c) x.x[c] += dt * v.x[c];
+        nodes_.force()[i] = {};
+      }
+    });
     if (step_.dt >= end_ - clock_.time())
       clock_.set(end_);
     else
@@ -280,10 +289,10 @@ class Explicit {
   void deform() {
     stable_ = {};
     each([&](auto& thing) {
-      if constexpr (requires { thing.deform(nodes_, step_.dt, ledger_); }) {
+      if constexpr (requires { thing.deform(nodes_, step_.dt, ledger_, execution_); }) {
         StableStep mine;
         try {
-          mine = thing.deform(nodes_, step_.dt, ledger_);
+          mine = thing.deform(nodes_, step_.dt, ledger_, execution_);
         } catch (const Error& error) {
           stop(error.what());
         }
@@ -322,8 +331,10 @@ class Explicit {
   std::string place(std::size_t i) const { return detail::text(nodes_.x(i)); }
 
   ExplicitOptions options_;
+  Execution execution_;
   Nodes<Real> nodes_;
   Running things_;
+  std::vector<double> kinetic_;  // twice the kinetic energy of each chunk of nodes
   Ledger ledger_;
   Energy energy_;
   Step step_;
@@ -335,19 +346,18 @@ class Explicit {
 };
 
 /// A scene that the compiler has already complained about gets no second complaint.
-template <class T, class... Things>
-requires(!Scene<Things...>::sound || !Scalar<T>) class Explicit<T, Things...> {
+template <class Numbers, class Execution, class... Things>
+requires(!Scene<Things...>::sound || !Numbers::is_scalar) class Explicit<Numbers, Execution, Things...> {
  public:
-  explicit Explicit(Scene<Things...>, ExplicitOptions = {}, In<T> = {}) {}
+  explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {}
   void step() {}
   void until(auto&&...) {}
 };
 
 template <class... Things>
-Explicit(Scene<Things...>) -> Explicit<Pack<double>, Things...>;
-template <class... Things>
-Explicit(Scene<Things...>, ExplicitOptions) -> Explicit<Pack<double>, Things...>;
-template <class T, class... Things>
-Explicit(Scene<Things...>, ExplicitOptions, In<T>) -> Explicit<T, Things...>;
+Explicit(Scene<Things...>) -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, Things...>;
+template <class... Things, class... Policies>
+Explicit(Scene<Things...>, ExplicitOptions, Policies...)
+    -> Explicit<detail::NumbersOf<Policies...>, detail::ExecutionOf<Policies...>, Things...>;
 
 }  // namespace strike

@@ -9,6 +9,7 @@
 
 #include <strike/dynamics/gather.hpp>
 #include <strike/dynamics/ledger.hpp>
+#include <strike/dynamics/patches.hpp>
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
@@ -98,11 +99,11 @@ struct StableStep {
   std::size_t part = 0;
 };
 
-/// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
-template <class E, class M, class T>
+/// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`, Real the one
+/// at the nodes.
+template <class E, class M, class T, class Real = RealOf<T>>
 class RunningPart {
  public:
-  using Real = RealOf<T>;
   static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
   static constexpr std::size_t width = lanes<T>;
   using State = typename E::template State<M, T>;
@@ -126,7 +127,8 @@ class RunningPart {
         const auto& cell = part.cells[order_[std::min(b * width + l, size_ - 1)]];  // idle lanes repeat the last one
         for (std::size_t i = 0; i < n; ++i) blocks_[b].nodes[i][l] = nodes.place(cell[i]);
       }
-      const T mass = element_.begin(blocks_[b].state, material_, gather<T, n>(nodes.position(), blocks_[b].nodes));
+      const T mass =
+          element_.begin(blocks_[b].state, material_, gather_positions<T, n>(nodes.position(), blocks_[b].nodes));
       for (std::size_t l = 0; l < count(b); ++l) {
         check_resolution(nodes, b * width + l);
         if (!(lane(mass, l) > 0))
@@ -136,49 +138,33 @@ class RunningPart {
         mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
       }
     }
+    patches_ = detail::Patches(blocks_, width, nodes);
+    outcomes_.resize(patches_.size());
   }
 
   /// Advances every element over the step dt that led to the present positions, adds its forces to the nodes and its
   /// work to the ledger, and returns the least stable step. Throws if an element is inverted; no node has moved by
   /// then.
-  [[gnu::flatten]] StableStep deform(Nodes<Real>& nodes, double dt, Ledger& ledger) {
-    T least = T(std::numeric_limits<Real>::max()), where = T(0.0);
-    T inverted_volume = T(1.0), inverted = T(0.0);
-    T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
-    Local<E> element = element_;
-    Local<M> material = material_;
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      Block& block = blocks_[b];
-      State state = block.state;
-      const Nodal<T, E::nodes> x = gather<T, n>(nodes.position(), block.nodes),
-                               v = gather<T, n>(nodes.velocity(), block.nodes);
-      const Response<T, E::nodes> response = element.advance(state, material, x, v, dt);
-      block.state = state;
-      scatter_subtract<T, n>(response.force, nodes.force(), block.nodes, count(b));
-
-      where = select(response.stable_step < least, T(static_cast<double>(b)), where);
-      least = min(response.stable_step, least);
-      const auto sound = response.volume > 0.0;
-      inverted = select(sound, inverted, T(static_cast<double>(b)));
-      inverted_volume = select(sound, inverted_volume, response.volume);
-      const T mine = b + 1 < blocks_.size() ? T(1.0) : busy();
-      internal += mine * response.internal_work;
-      hourglass += mine * response.hourglass_work;
-      bulk_viscosity += mine * response.bulk_viscosity_work;
-    }
-    for (std::size_t l = 0; l < width; ++l)
-      if (!(lane(inverted_volume, l) > 0))
-        explain_inversion(nodes, static_cast<std::size_t>(lane(inverted, l)) * width + l,
-                          static_cast<double>(lane(inverted_volume, l)));
-    ledger.internal.book(static_cast<double>(reduce_sum(internal)));
-    ledger.hourglass.book(static_cast<double>(reduce_sum(hourglass)));
-    ledger.bulk_viscosity.book(static_cast<double>(reduce_sum(bulk_viscosity)));
+  template <class Execution>
+  StableStep deform(Nodes<Real>& nodes, double dt, Ledger& ledger, const Execution& execution) {
+    execution.for_each(patches_.size(), [&](std::size_t p) {
+      patches_.refresh(patches_[p], nodes);
+      outcomes_[p] = advance(patches_[p], nodes, dt);
+    });
+    patches_.gather_forces(nodes, execution);
 
     StableStep stable{.part = number_};
-    for (std::size_t l = 0; l < width; ++l)
-      if (lane(least, l) < stable.dt)
-        stable.dt = static_cast<double>(lane(least, l)),
-        stable.element = order_[std::min(static_cast<std::size_t>(lane(where, l)) * width + l, size_ - 1)];
+    double internal = 0, hourglass = 0, bulk_viscosity = 0;
+    for (const Outcome& outcome : outcomes_) {
+      if (!(outcome.inverted_volume > 0)) explain_inversion(nodes, outcome.inverted, outcome.inverted_volume);
+      if (outcome.stable_step < stable.dt) stable.dt = outcome.stable_step, stable.element = order_[outcome.slowest];
+      internal += outcome.internal_work;
+      hourglass += outcome.hourglass_work;
+      bulk_viscosity += outcome.bulk_viscosity_work;
+    }
+    ledger.internal.book(internal);
+    ledger.hourglass.book(hourglass);
+    ledger.bulk_viscosity.book(bulk_viscosity);
     return stable;
   }
 
@@ -224,6 +210,56 @@ class RunningPart {
   std::string describe(const Nodes<Real>& nodes, std::size_t e) const { return describe_at(nodes, place_of(e)); }
 
  private:
+  /// What a patch tells after a step; elements by their places.
+  struct Outcome {
+    double stable_step = std::numeric_limits<double>::infinity(), inverted_volume = 1;
+    std::size_t slowest = 0, inverted = 0;
+    double internal_work = 0, hourglass_work = 0, bulk_viscosity_work = 0;
+  };
+
+  [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Nodes<Real>& nodes, double dt) {
+    T least = T(std::numeric_limits<RealOf<T>>::max()), slowest = T(0.0);
+    T inverted_volume = T(1.0), inverted = T(0.0);
+    T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
+    Local<E> element = element_;
+    Local<M> material = material_;
+    for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
+      Block& block = blocks_[b];
+      State state = block.state;
+      const Nodal<T, E::nodes> x = gather_positions<T, n>(nodes.position(), block.nodes),
+                               v = gather<T, n>(nodes.velocity(), block.nodes);
+      const Response<T, E::nodes> response = element.advance(state, material, x, v, dt);
+      block.state = state;
+      scatter_subtract<T, n>(response.force, nodes.force(), block.nodes, count(b));
+
+      const T number = T(static_cast<double>(b - patch.first_block));
+      slowest = select(response.stable_step < least, number, slowest);
+      least = min(response.stable_step, least);
+      const auto sound = response.volume > 0.0;
+      inverted = select(sound, inverted, number);
+      inverted_volume = select(sound, inverted_volume, response.volume);
+      const T mine = b + 1 < blocks_.size() ? T(1.0) : busy();
+      internal += mine * response.internal_work;
+      hourglass += mine * response.hourglass_work;
+      bulk_viscosity += mine * response.bulk_viscosity_work;
+    }
+
+    Outcome outcome;
+    for (std::size_t l = 0; l < width; ++l) {
+      const auto element_of = [&](const T& block) {
+        return std::min((patch.first_block + static_cast<std::size_t>(lane(block, l))) * width + l, size_ - 1);
+      };
+      if (const double dt_l = static_cast<double>(lane(least, l)); dt_l < outcome.stable_step)
+        outcome.stable_step = dt_l, outcome.slowest = element_of(slowest);
+      if (const double V_l = static_cast<double>(lane(inverted_volume, l)); !(V_l > 0))
+        outcome.inverted_volume = V_l, outcome.inverted = element_of(inverted);
+    }
+    outcome.internal_work = static_cast<double>(reduce_sum(internal));
+    outcome.hourglass_work = static_cast<double>(reduce_sum(hourglass));
+    outcome.bulk_viscosity_work = static_cast<double>(reduce_sum(bulk_viscosity));
+    return outcome;
+  }
+
   // Elements are known by their places, lane after lane and block after block, but for what the user sees.
   std::size_t place_of(std::size_t e) const {
     return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), e) - order_.begin());
@@ -234,7 +270,6 @@ class RunningPart {
     return c;
   }
   std::string describe_at(const Nodes<Real>& nodes, std::size_t p) const {
-    p = std::min(p, size_ - 1);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Index i : cell(nodes, p)) sum += nodes.x(i);
     return detail::joined({"element ", std::to_string(order_[p]), " of part ", std::to_string(number_), " at ",
@@ -294,6 +329,8 @@ class RunningPart {
   std::vector<Index> order_;
   double mass_ = 0;
   std::vector<Block> blocks_;
+  detail::Patches patches_;
+  std::vector<Outcome> outcomes_;
 };
 
 }  // namespace strike

@@ -61,16 +61,18 @@ struct Scene {
 namespace detail {
 
 /// A thing of a scene at work: parts take their lanes, the rest stays as it is.
-template <class Thing, class T>
+template <class Thing, class Numbers>
 struct Running {
   using type = Thing;
-  static Thing start(Thing thing, Nodes<RealOf<T>>&, std::vector<std::vector<Index>>&, std::size_t&) { return thing; }
+  static Thing start(Thing thing, Nodes<typename Numbers::NodeReal>&, std::vector<std::vector<Index>>&, std::size_t&) {
+    return thing;
+  }
 };
-template <class E, class M, std::size_t n, class T>
-struct Running<Part<E, M, n>, T> {
-  using type = RunningPart<E, M, T>;
-  static type start(Part<E, M, n> part, Nodes<RealOf<T>>& nodes, std::vector<std::vector<Index>>& orders,
-                    std::size_t& number) {
+template <class E, class M, std::size_t n, class Numbers>
+struct Running<Part<E, M, n>, Numbers> {
+  using type = RunningPart<E, M, typename Numbers::Number, typename Numbers::NodeReal>;
+  static type start(Part<E, M, n> part, Nodes<typename Numbers::NodeReal>& nodes,
+                    std::vector<std::vector<Index>>& orders, std::size_t& number) {
     const std::size_t mine = number++;
     return type(std::move(part), nodes, mine, std::move(orders[mine]));
   }

@@ -116,6 +116,16 @@ class Nodes {
            std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }
 
+  /// Gives the node at a place a second place behind all others, where a patch of elements has a copy of it to itself.
+  Index add_ghost(Index place) {
+    const Index ghost = places();
+    for (Field* field : {&position_, &velocity_, &force_}) field->emplace_back();
+    number_.push_back(number_[place]);
+    return ghost;
+  }
+  /// How many places there are: those of the nodes, and after them those of ghosts.
+  Index places() const { return static_cast<Index>(number_.size()); }
+
   /// Where node i lies in the fields, and the number of the node that lies at a place.
   Index place(std::size_t i) const { return place_[i]; }
   Index number(std::size_t place) const { return number_[place]; }

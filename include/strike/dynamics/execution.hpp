@@ -1,0 +1,39 @@
+#pragma once
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+
+namespace strike {
+
+/// How the loops of a run are carried out.
+/// Law: `for_each(n, f)` calls f(0), ..., f(n - 1) once each, in any order and side by side if it likes, and returns
+/// when all are done. The driver gives it work that does not throw and whose results do not depend on the order.
+template <class E>
+concept Execution = std::copyable<E> && requires(const E execution, void (*f)(std::size_t)) {
+  execution.for_each(std::size_t{}, f);
+};
+
+/// One after the other: what a run does unless told otherwise.
+struct Serial {
+  template <class F>
+  void for_each(std::size_t n, const F& f) const {
+    for (std::size_t k = 0; k < n; ++k) f(k);
+  }
+};
+
+namespace detail {
+
+/// So many nodes are worth a thread's while, and stay in its cache.
+inline constexpr std::size_t chunk = 1024;
+
+inline std::size_t chunks(std::size_t n) { return (n + chunk - 1) / chunk; }
+
+/// f(k, first, last) for the chunks [first, last) of [0, n).
+template <class E, class F>
+void for_each_chunk(const E& execution, std::size_t n, const F& f) {
+  execution.for_each(chunks(n), [&](std::size_t k) { f(k, k * chunk, std::min((k + 1) * chunk, n)); });
+}
+
+}  // namespace detail
+
+}  // namespace strike

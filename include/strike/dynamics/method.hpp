@@ -1,0 +1,53 @@
+#pragma once
+#include <type_traits>
+#include <utility>
+
+#include <strike/dynamics/execution.hpp>
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// Chooses the numbers of a run: T in the formulas of elements and materials, Node for the positions, velocities and
+/// forces of nodes, in which small changes add up.
+///   Explicit run{scene, options, in<Pack<float>>};          // all in single precision
+///   Explicit run{scene, options, in<Pack<float>, double>};  // mixed: elements in single, nodes in double precision
+template <class T, class Node = RealOf<T>>
+struct In {
+  using Number = T;
+  using NodeReal = Node;
+  static constexpr bool is_scalar = Scalar<T>;
+  static_assert(is_scalar,
+                "strike: in<T> names the number in the formulas: double, Pack<double, N>, Pack<float, N> or a Dual.");
+};
+template <class T, class Node = RealOf<T>>
+inline constexpr In<T, Node> in{};
+
+namespace detail {
+
+template <class P>
+struct IsNumbers : std::false_type {};
+template <class T, class Node>
+struct IsNumbers<In<T, Node>> : std::true_type {};
+
+template <class P>
+struct IsExecution : std::bool_constant<Execution<P>> {};
+
+template <class P>
+inline constexpr bool is_policy = IsNumbers<P>::value || IsExecution<P>::value;
+
+/// The first of the policies that `Is`, else the last, which is the usual one.
+template <template <class> class Is, class Policy, class... Rest>
+constexpr auto pick(const Policy& policy, const Rest&... rest) {
+  if constexpr (sizeof...(Rest) == 0 || Is<Policy>::value)
+    return policy;
+  else
+    return pick<Is>(rest...);
+}
+template <class... Policies>
+using NumbersOf = decltype(pick<IsNumbers>(std::declval<Policies>()..., In<Pack<double>>{}));
+template <class... Policies>
+using ExecutionOf = decltype(pick<IsExecution>(std::declval<Policies>()..., Serial{}));
+
+}  // namespace detail
+
+}  // namespace strike
