@@ -26,9 +26,9 @@ namespace {
 using namespace strike;
 using namespace bench;
 
-template <class T, class E, class M>
-auto squeezed(const Mesh& mesh, const E& element, const M& material) {
-  return Explicit{Scene{mesh.nodes, Part{element, material, mesh.hexahedra}, Squeeze{}}, {}, in<T>};
+template <class Numbers, class E, class M>
+auto squeezed(const Mesh& mesh, const E& element, const M& material, Numbers numbers) {
+  return Explicit{Scene{mesh.nodes, Part{element, material, mesh.hexahedra}, Squeeze{}}, {}, numbers};
 }
 constexpr int first_step = 5, steps = 15;  // measured are those in which every element yields
 
@@ -59,7 +59,7 @@ struct Counts {
 template <class E, class M>
 Counts counts(const E& element, const M& material) {
   const Mesh mesh = bar({10, 12, 12});
-  auto run = squeezed<Counted>(mesh, Apart<E>{element}, material);
+  auto run = squeezed(mesh, Apart<E>{element}, material, in<Counted>);
   begin(run);
   Counted::done = {};
   measured_steps(run);
@@ -68,28 +68,39 @@ Counts counts(const E& element, const M& material) {
   return {each(done.flops()), each(done.quotients), each(done.roots), each(done.functions), each(done.selections)};
 }
 
+/// How many nodes, and ghosts of nodes that patches share, there are to one element.
+struct Share {
+  double nodes, ghosts;
+};
+
 /// The flops that are no formulas of the element: its forces go to 8 nodes by 3 subtractions each; for each of three
-/// components of a node the kick has seven (4 of them the kinetic energy's) and the drift two.
-double flops_around(double nodes_per_element) { return 8 * 3 + 3 * (7 + 2) * nodes_per_element; }
+/// components of a node the kick has seven (4 of them the kinetic energy's) and the drift two; of a ghost the force is
+/// added.
+double flops_around(const Share& share) { return 8 * 3 + 3 * (7 + 2) * share.nodes + 3 * share.ghosts; }
 
 /// The bytes that one element and its share of the nodes stream in a step. The nodes pass by three times:
 ///   kick    reads v, f, m, writes v
 ///   drift   reads x, v, writes x, f
 ///   deform  reads x, v, f, writes f; the eight elements at a node meet it in the cache
+/// the ghosts twice, with their indices:
+///   refresh        reads x, v of the node, writes x, v, f
+///   gather_forces  reads f and that of the node, which it writes
 /// and the elements once: their block is read and of it the state written.
 template <class Part, class Real>
-double bytes(double nodes_per_element) {
+double bytes(const Share& share) {
   constexpr std::size_t vector = sizeof(Padded<Real>), mass = sizeof(Real);
   constexpr std::size_t node = (3 * vector + mass) + 4 * vector + 4 * vector;
+  constexpr std::size_t ghost = (5 * vector + sizeof(Index)) + (3 * vector + 3 * sizeof(Index));
   constexpr std::size_t block = sizeof(typename Part::Block) + sizeof(typename Part::State);
-  return double(block) / double(Part::width) + double(node) * nodes_per_element;
+  return double(block) / double(Part::width) + double(node) * share.nodes + double(ghost) * share.ghosts;
 }
 
 /// The bytes that they occupy.
 template <class Part, class Real>
-double footprint(double nodes_per_element) {
-  return double(sizeof(typename Part::Block)) / double(Part::width) +
-         double(3 * sizeof(Padded<Real>) + sizeof(Real)) * nodes_per_element;
+double footprint(const Share& share) {
+  constexpr std::size_t ghost = 3 * sizeof(Padded<Real>);
+  return double(sizeof(typename Part::Block)) / double(Part::width) + double(ghost + sizeof(Real)) * share.nodes +
+         double(ghost) * share.ghosts;
 }
 
 /// The time of one element and step [ns].
@@ -110,8 +121,8 @@ class Roofline {
  public:
   explicit Roofline(std::vector<Mesh> meshes) : meshes_(std::move(meshes)), rows_(meshes_.size()) {}
 
-  template <class... T, class E, class M>
-  void add(const std::string& name, const E& element, const M& material, In<T>... numbers) {
+  template <class E, class M, class... Numbers>
+  void add(const std::string& name, const E& element, const M& material, Numbers... numbers) {
     const Counts count = counts(element, material);
     for (std::size_t i = 0; i < meshes_.size(); ++i)
       ((rows_[i] += line(name, element, material, numbers, count, meshes_[i])), ...);
@@ -134,25 +145,28 @@ class Roofline {
   }
 
  private:
-  template <class T, class E, class M>
-  std::string line(const std::string& name, const E& element, const M& material, In<T>, const Counts& count,
-                   const Mesh& mesh) const {
-    const auto start = [&] { return squeezed<T>(mesh, element, material); };
-    using Run = decltype(start());
-    using Real = typename Run::Real;
-    using Part = RunningPart<E, M, T>;
-    constexpr bool in_double = sizeof(Real) == sizeof(double);
-    const double elements = double(mesh.hexahedra.size()), nodes_per_element = double(mesh.nodes.size()) / elements;
-    const double flops = count.flops + flops_around(nodes_per_element), moved = bytes<Part, Real>(nodes_per_element);
-    const double bandwidth = triad(elements * footprint<Part, Real>(nodes_per_element));
+  template <class E, class M, class T, class Real>
+  std::string line(const std::string& name, const E& element, const M& material, In<T, Real> numbers,
+                   const Counts& count, const Mesh& mesh) const {
+    using Part = RunningPart<E, M, T, Real>;
+    constexpr bool in_double = sizeof(RealOf<T>) == sizeof(double), mixed = sizeof(RealOf<T>) != sizeof(Real);
+    const auto start = [&] { return squeezed(mesh, element, material, numbers); };
+    const double elements = double(mesh.hexahedra.size()), nodes = double(mesh.nodes.size());
+    const Share share{nodes / elements, (double(start().nodes().places()) - nodes) / elements};
+    const double flops = count.flops + flops_around(share), moved = bytes<Part, Real>(share);
+    const double bandwidth = triad(elements * footprint<Part, Real>(share));
     const double ns = nanoseconds(start, elements);
     const double by_flops = 1e9 * flops / (in_double ? peak_double_ : peak_float_), by_bytes = 1e9 * moved / bandwidth;
     const double limit = std::max(by_flops, by_bytes);
-    return row({name, in_double ? "double" : "float", formatted("%.0f", flops), formatted("%.1f", count.quotients),
-                formatted("%.1f", count.roots), formatted("%.1f", count.functions), formatted("%.0f", count.selections),
-                formatted("%.0f", moved), formatted("%.1f", ns), formatted("%.1f", flops / ns),
-                formatted("%.1f", moved / ns), formatted("%.0f", 1e-9 * bandwidth), formatted("%.1f", limit),
-                by_flops > by_bytes ? "flops" : "bytes", formatted("%.0f %%", 100 * limit / ns)});
+    return row({name,
+                mixed       ? "mixed"
+                : in_double ? "double"
+                            : "float",
+                formatted("%.0f", flops), formatted("%.1f", count.quotients), formatted("%.1f", count.roots),
+                formatted("%.1f", count.functions), formatted("%.0f", count.selections), formatted("%.0f", moved),
+                formatted("%.1f", ns), formatted("%.1f", flops / ns), formatted("%.1f", moved / ns),
+                formatted("%.0f", 1e-9 * bandwidth), formatted("%.1f", limit), by_flops > by_bytes ? "flops" : "bytes",
+                formatted("%.0f %%", 100 * limit / ns)});
   }
 
   std::vector<Mesh> meshes_;
@@ -166,8 +180,9 @@ int main() {
   Roofline roofline({bar({40, 50, 50}), bar({5, 6, 45})});  // from memory and from L2
   constexpr auto in_double = in<Pack<double>>;
   constexpr auto in_float = in<Pack<float>>;
+  constexpr auto mixed = in<Pack<float>, double>;
   roofline.add("Hex8, elastic", Hex8{}, elastic, in_double);
-  roofline.add("Hex8, linear, von Mises", Hex8{}, Solid{linear, hardening}, in_double, in_float);
+  roofline.add("Hex8, linear, von Mises", Hex8{}, Solid{linear, hardening}, in_double, in_float, mixed);
   roofline.add("Hex8, Gruneisen, von Mises", Hex8{}, Solid{gruneisen, hardening}, in_double);
   roofline.add("Hex8, linear, Johnson-Cook", Hex8{}, Solid{linear, johnson_cook}, in_double, in_float);
   roofline.add("Hex8, fluid, cubic", Hex8{}, water, in_double);
