@@ -10,7 +10,7 @@
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/von_mises.hpp>
 
-// Copper by all laws, and water, in SI units.
+// Copper by all laws, water and air, in SI units.
 namespace bench {
 
 inline constexpr strike::LinearEos linear{.density = 8930, .bulk_modulus = 130e9};
@@ -37,5 +37,6 @@ inline constexpr strike::JohnsonCook johnson_cook{.shear_modulus = 43.3e9,
 
 inline constexpr strike::Elastic elastic{.reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = 0.35};
 inline const strike::Fluid water{strike::CubicEos{.density = 1000, .C1 = 2.2e9, .C2 = 5.5e9}};
+inline const strike::Fluid air{strike::IdealGas{.density = 1.2, .gamma = 1.4, .initial_energy = 250e3}};
 
 }  // namespace bench

@@ -1,0 +1,109 @@
+// What each feature adds to the step of the whole driver: the usual scene and one that differs in one thing take turns,
+// so that both meet the same moods of the machine. A new feature is a line in a file beside this one.
+//
+//   build/bench/bench/prices                            everything, some two minutes on one core
+//   build/bench/bench/prices rounds=3 out=docs/prices.md
+//
+// Written: prices.md.
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <strike/output/file.hpp>
+#include <strike/text.hpp>
+
+#include "../support/clock.hpp"
+#include "../support/table.hpp"
+#include "feature.hpp"
+#include "support/options.hpp"
+
+namespace {
+
+using namespace prices;
+using namespace bench;
+
+struct Price {
+  double bytes, ratio, spread;  ///< the ratio of the times and half the range in which half of its turns lie
+};
+
+template <class Action>
+double wall_seconds(Action action) {
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Lets a feature and the usual take turns of some steps each. Turns of the usual are added to `usual_seconds` [s per
+/// step].
+Price price(const Feature& feature, const Feature& usual, std::size_t rounds, std::vector<double>& usual_seconds) {
+  const Trial with = feature.start(), without = usual.start();
+  const auto turn = [&](const Trial& trial) {
+    const auto steps = [&] {
+      for (int i = 0; i < feature.steps; ++i) trial.step();
+    };
+    return (feature.by_wall ? wall_seconds(steps) : cpu_seconds(steps)) / feature.steps;
+  };
+  for (int i = 0; i < 3; ++i) with.step(), without.step();
+  std::vector<double> ratios;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    double t_with = 0, t_without = 0;
+    if (round % 2) t_with = turn(with);
+    t_without = turn(without);
+    if (round % 2 == 0) t_with = turn(with);
+    ratios.push_back(t_with / t_without);
+    if (!feature.by_wall) usual_seconds.push_back(t_without);
+  }
+  return {with.bytes, median(ratios), 0.5 * (quantile(ratios, 0.75) - quantile(ratios, 0.25))};
+}
+
+constexpr const char* introduction = R"(# What does each feature cost?
+
+    cmake --workflow --preset bench && build/bench/bench/prices out=docs/prices.md
+
+The usual is `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at mid-step, bulk viscosity) of copper with
+`LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core; every row differs from it in one thing. A bar of 100 000 hexahedra is
+squeezed so that all of them yield. It and the bar with the feature take turns of some steps; given are the median of the ratios of their times, half the range
+in which half of the ratios lie, and what follows in time from the median of all turns of the usual. Bytes are those that an element stores, the numbers of its
+eight nodes included.
+
+)";
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return examples::run(count, arguments, [](examples::Options& options) {
+    const std::string path = options.text("out", "out/prices/prices.md");
+    const std::size_t rounds = options.count("rounds", 9);
+    options.check();
+
+    const Feature baseline = usual("the usual");
+    std::vector<Group> groups{{"The usual", {usual("the usual against itself")}}};
+    for (const auto& group : {strengths, failures, equations_of_state, elements, numbers, conditions, outputs, ledger})
+      groups.push_back(group());
+    std::vector<double> usual_seconds;
+    std::vector<std::vector<Price>> prices;
+    for (const Group& group : groups) {
+      prices.emplace_back();
+      for (const Feature& feature : group.features) {
+        const Price& p = prices.back().emplace_back(price(feature, baseline, rounds, usual_seconds));
+        std::printf("%-72s %5.0f B  %.3f +- %.3f\n", feature.name.c_str(), p.bytes, p.ratio, p.spread);
+        std::fflush(stdout);
+      }
+    }
+
+    const double ns = 1e9 * median(usual_seconds) / static_cast<double>(mesh.hexahedra.size());
+    std::string text = introduction;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      text += head({groups[i].title, "bytes", "ns per element and step", "more", "ratio", "+-"});
+      for (std::size_t k = 0; k < groups[i].features.size(); ++k) {
+        const Price& p = prices[i][k];
+        text += row({groups[i].features[k].name, formatted("%.0f", p.bytes), formatted("%.1f", p.ratio * ns),
+                     formatted("%+.1f", (p.ratio - 1) * ns), formatted("%.3f", p.ratio), formatted("%.3f", p.spread)});
+      }
+      if (i + 1 < groups.size()) text += '\n';
+    }
+    strike::detail::replace_file(path, text);
+    std::printf("\nThe usual: %.1f ns per element and step. Written: %s\n", ns, path.c_str());
+  });
+}
