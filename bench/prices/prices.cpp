@@ -1,10 +1,10 @@
 // What each feature adds to the step of the whole driver: the usual scene and one that differs in one thing take turns,
 // so that both meet the same moods of the machine. A new feature is a line in a file beside this one.
 //
-//   build/bench/bench/prices                            everything, some two minutes on one core
-//   build/bench/bench/prices rounds=3 out=docs/prices.md
+//   OMP_PROC_BIND=true build/bench/bench/prices          all, some two minutes; the threads on cores of their own
+//   build/bench/bench/prices only=threads rounds=3       features whose names contain a word, less to rely on
 //
-// Written: prices.md.
+// Written into out/prices: prices.md and what the features of output write.
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -34,38 +34,36 @@ double wall_seconds(Action action) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Lets a feature and the usual take turns of some steps each. Turns of the usual are added to `usual_seconds` [s per
-/// step].
+/// In each round a feature and the usual begin anew, for where its memory lies makes a run quicker or slower, and take
+/// turns of some steps. Turns of the usual are added to `usual_seconds` [s per step].
 Price price(const Feature& feature, const Feature& usual, std::size_t rounds, std::vector<double>& usual_seconds) {
-  const Trial with = feature.start(), without = usual.start();
-  const auto turn = [&](const Trial& trial) {
-    const auto steps = [&] {
-      for (int i = 0; i < feature.steps; ++i) trial.step();
-    };
-    return (feature.by_wall ? wall_seconds(steps) : cpu_seconds(steps)) / feature.steps;
-  };
-  for (int i = 0; i < 3; ++i) with.step(), without.step();
   std::vector<double> ratios;
+  double bytes = 0;
   for (std::size_t round = 0; round < rounds; ++round) {
-    double t_with = 0, t_without = 0;
-    if (round % 2) t_with = turn(with);
-    t_without = turn(without);
-    if (round % 2 == 0) t_with = turn(with);
-    ratios.push_back(t_with / t_without);
-    if (!feature.by_wall) usual_seconds.push_back(t_without);
+    const Trial with = feature.start(), without = usual.start();
+    const auto turn = [&](const Trial& trial) {
+      const auto steps = [&] {
+        for (int i = 0; i < feature.steps; ++i) trial.step();
+      };
+      return (feature.by_wall ? wall_seconds(steps) : cpu_seconds(steps)) / feature.steps;
+    };
+    for (int i = 0; i < 3; ++i) with.step(), without.step();
+    const double first = turn(without), theirs = turn(with) + turn(with), last = turn(without);
+    ratios.push_back(theirs / (first + last));
+    usual_seconds.insert(usual_seconds.end(), {first, last});
+    bytes = with.bytes;
   }
-  return {with.bytes, median(ratios), 0.5 * (quantile(ratios, 0.75) - quantile(ratios, 0.25))};
+  return {bytes, median(ratios), 0.5 * (quantile(ratios, 0.75) - quantile(ratios, 0.25))};
 }
 
 constexpr const char* introduction = R"(# What does each feature cost?
 
-    cmake --workflow --preset bench && build/bench/bench/prices out=docs/prices.md
+    cmake --workflow --preset bench && OMP_PROC_BIND=true build/bench/bench/prices out=docs/prices.md
 
-The usual is `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at mid-step, bulk viscosity) of copper with
-`LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core; every row differs from it in one thing. A bar of 100 000 hexahedra is
-squeezed so that all of them yield. It and the bar with the feature take turns of some steps; given are the median of the ratios of their times, half the range
-in which half of the ratios lie, and what follows in time from the median of all turns of the usual. Bytes are those that an element stores, the numbers of its
-eight nodes included.
+The usual is `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at mid-step, bulk viscosity) of copper with `LinearEos` and
+`VonMises` with linear hardening, in `Pack<double>`, on one core: a bar of 100 000 hexahedra, squeezed so that all of them yield. Every row differs from it in one
+thing. Both begin anew several times and take turns of some steps. Given are the median of the ratios of their times, half the range of the middle half of these
+ratios, and what that is in time where the usual takes its own median. Bytes are those that an element stores, with the numbers of its eight nodes.
 
 )";
 
@@ -74,13 +72,17 @@ eight nodes included.
 int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     const std::string path = options.text("out", "out/prices/prices.md");
-    const std::size_t rounds = options.count("rounds", 9);
+    const std::string word = options.text("only", "");
+    const std::size_t rounds = options.count("rounds", 7);
     options.check();
 
     const Feature baseline = usual("the usual");
     std::vector<Group> groups{{"The usual", {usual("the usual against itself")}}};
     for (const auto& group : {strengths, failures, equations_of_state, elements, numbers, conditions, outputs, ledger})
       groups.push_back(group());
+    for (Group& group : groups)
+      std::erase_if(group.features, [&](const Feature& f) { return f.name.find(word) == std::string::npos; });
+    std::erase_if(groups, [](const Group& group) { return group.features.empty(); });
     std::vector<double> usual_seconds;
     std::vector<std::vector<Price>> prices;
     for (const Group& group : groups) {
