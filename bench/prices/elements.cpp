@@ -32,7 +32,7 @@ Group elements() {
            of_element("end of step", Hex8{hourglass, HughesWinget{}, viscosity, EndStep{}}),
            of_element("Jaumann, end of step", Hex8{hourglass, Jaumann{}, viscosity, EndStep{}}),
            of_element("no bulk viscosity", Hex8{hourglass, HughesWinget{}, NoBulkViscosity{}}),
-           of_element("none of the three: Jaumann, end of step, no control, no viscosity",
+           of_element("the least: no control, Jaumann, no bulk viscosity, end of step",
                       Hex8{NoHourglass{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}),
            of_element("Hex8Full, eight points", Hex8Full{})}};
 }

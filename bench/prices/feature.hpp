@@ -22,12 +22,16 @@ struct Trial {
   double bytes;  ///< of an element: what its block stores, its nodes' numbers included
 };
 
+/// Steps are timed by the processor, which others on the machine do not disturb, or by the clock on the wall, where
+/// threads work side by side.
+enum class TimedBy { processor, wall };
+
 /// A choice that differs from the usual in one thing.
 struct Feature {
   std::string name;
   std::function<Trial()> start;
-  int steps = 8;         ///< in each turn
-  bool by_wall = false;  ///< timed by the clock on the wall: its threads take turns of their own
+  int steps = 8;  ///< in each turn
+  TimedBy timed_by = TimedBy::processor;
 };
 
 struct Group {

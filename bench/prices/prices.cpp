@@ -45,7 +45,7 @@ Price price(const Feature& feature, const Feature& usual, std::size_t rounds, st
       const auto steps = [&] {
         for (int i = 0; i < feature.steps; ++i) trial.step();
       };
-      return (feature.by_wall ? wall_seconds(steps) : cpu_seconds(steps)) / feature.steps;
+      return (feature.timed_by == TimedBy::wall ? wall_seconds(steps) : cpu_seconds(steps)) / feature.steps;
     };
     for (int i = 0; i < 3; ++i) with.step(), without.step();
     const double first = turn(without), theirs = turn(with) + turn(with), last = turn(without);
@@ -60,10 +60,12 @@ constexpr const char* introduction = R"(# What does each feature cost?
 
     cmake --workflow --preset bench && OMP_PROC_BIND=true build/bench/bench/prices out=docs/prices.md
 
-The usual is `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at mid-step, bulk viscosity) of copper with `LinearEos` and
-`VonMises` with linear hardening, in `Pack<double>`, on one core: a bar of 100 000 hexahedra, squeezed so that all of them yield. Every row differs from it in one
-thing. Both begin anew several times and take turns of some steps. Given are the median of the ratios of their times, half the range of the middle half of these
-ratios, and what that is in time where the usual takes its own median. Bytes are those that an element stores, with the numbers of its eight nodes.
+The usual is a bar of 100 000 `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at
+mid-step, bulk viscosity) of copper with `LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core,
+squeezed so that every element yields. Each row differs from it in one thing. Both begin anew several times and take
+turns of some steps. Given are the median of the ratios of their times, half the range of the middle half of these
+ratios, and what that is in time where the usual takes its own median. Bytes are those that an element stores, with the
+numbers of its eight nodes.
 
 )";
 

@@ -13,7 +13,7 @@ namespace prices {
 
 Group numbers() {
   Feature threads = by("two threads, by the clock on the wall", OpenMP{.threads = 2});
-  threads.by_wall = true;
+  threads.timed_by = TimedBy::wall;
   return {"Numbers and threads",
           {by("double, one lane", in<double>), by("Pack<float>", in<Pack<float>>),
            by("mixed: Pack<float> in the elements, double at the nodes", in<Pack<float>, double>), threads}};
