@@ -157,7 +157,8 @@ class RunningPart {
     double internal = 0, hourglass = 0, bulk_viscosity = 0;
     for (const Outcome& outcome : outcomes_) {
       if (!(outcome.inverted_volume > 0)) explain_inversion(nodes, outcome.inverted, outcome.inverted_volume);
-      if (outcome.stable_step < stable.dt) stable.dt = outcome.stable_step, stable.element = order_[outcome.slowest];
+      if (const double dt_p = 1 / outcome.critical_rate; dt_p < stable.dt)
+        stable.dt = dt_p, stable.element = order_[outcome.slowest];
       internal += outcome.internal_work;
       hourglass += outcome.hourglass_work;
       bulk_viscosity += outcome.bulk_viscosity_work;
@@ -212,13 +213,13 @@ class RunningPart {
  private:
   /// What a patch tells after a step; elements by their places.
   struct Outcome {
-    double stable_step = std::numeric_limits<double>::infinity(), inverted_volume = 1;
+    double critical_rate = 0, inverted_volume = 1;
     std::size_t slowest = 0, inverted = 0;
     double internal_work = 0, hourglass_work = 0, bulk_viscosity_work = 0;
   };
 
   [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Nodes<Real>& nodes, double dt) {
-    T least = T(std::numeric_limits<RealOf<T>>::max()), slowest = T(0.0);
+    T rate = T(0.0), slowest = T(0.0);
     T inverted_volume = T(1.0), inverted = T(0.0);
     T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
     Local<E> element = element_;
@@ -233,8 +234,8 @@ class RunningPart {
       scatter_subtract<T, n>(response.force, nodes.force(), block.nodes, count(b));
 
       const T number = T(static_cast<double>(b - patch.first_block));
-      slowest = select(response.stable_step < least, number, slowest);
-      least = min(response.stable_step, least);
+      slowest = select(rate < response.critical_rate, number, slowest);
+      rate = max(rate, response.critical_rate);
       const auto sound = response.volume > 0.0;
       inverted = select(sound, inverted, number);
       inverted_volume = select(sound, inverted_volume, response.volume);
@@ -249,8 +250,8 @@ class RunningPart {
       const auto element_of = [&](const T& block) {
         return std::min((patch.first_block + static_cast<std::size_t>(lane(block, l))) * width + l, size_ - 1);
       };
-      if (const double dt_l = static_cast<double>(lane(least, l)); dt_l < outcome.stable_step)
-        outcome.stable_step = dt_l, outcome.slowest = element_of(slowest);
+      if (const double rate_l = static_cast<double>(lane(rate, l)); outcome.critical_rate < rate_l)
+        outcome.critical_rate = rate_l, outcome.slowest = element_of(slowest);
       if (const double V_l = static_cast<double>(lane(inverted_volume, l)); !(V_l > 0))
         outcome.inverted_volume = V_l, outcome.inverted = element_of(inverted);
     }

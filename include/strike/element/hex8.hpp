@@ -128,9 +128,9 @@ struct Hex8 {
     const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
     const Vibration<T> vibration = stability.vibration(material, after, zeta);
     if constexpr (controlled)
-      response.stable_step = 1.0 / critical_rate(vibration, hourglass_rate, hourglass_overlap);
+      response.critical_rate = critical_rate(vibration, hourglass_rate, hourglass_overlap);
     else
-      response.stable_step = 1.0 / vibration.critical_rate();
+      response.critical_rate = vibration.critical_rate();
 
     P = T(1.0 / 64.0) * P;
     response.force = to_nodes<T>({times(P, g.a1), times(P, g.a2), times(P, g.a3), Q[0] + times(P, g.b1),
