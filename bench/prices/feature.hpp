@@ -43,12 +43,13 @@ struct Group {
 inline const Mesh mesh = bench::bar({40, 50, 50});
 inline const Solid copper{bench::linear, bench::hardening};
 
-/// The scene with its policies; `things` stand in it before the velocities at the begin.
+/// The squeezed bar and `things` beside it.
 template <class E, class M, class... Things>
 auto scene(const E& element, const M& material, const Things&... things) {
   return Scene{mesh.nodes, Part{element, material, mesh.hexahedra}, things..., bench::Squeeze{}};
 }
 
+/// A run of it, shared by the functions that a Trial consists of.
 template <class Scene, class... Policies>
 auto started(const Scene& scene, const ExplicitOptions& options = {}, const Policies&... policies) {
   using Run = decltype(Explicit{scene, options, policies...});
@@ -62,6 +63,7 @@ double bytes(const Run& run) {
   return static_cast<double>(sizeof(typename Part::Block)) / static_cast<double>(Part::width);
 }
 
+// Features by what differs: all of the run, the material, the element, what stands in the scene, or the policies.
 template <class Start>
 Feature feature(std::string name, Start start) {
   return {std::move(name), [start]() -> Trial {

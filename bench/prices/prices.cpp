@@ -5,7 +5,6 @@
 //   build/bench/bench/prices only=threads rounds=3       features whose names contain a word, less to rely on
 //
 // Written into out/prices: prices.md and what the features of output write.
-#include <chrono>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -24,15 +23,10 @@ using namespace prices;
 using namespace bench;
 
 struct Price {
-  double bytes, ratio, spread;  ///< the ratio of the times and half the range in which half of its turns lie
+  double bytes;
+  double ratio;   ///< to the time of the usual, median
+  double spread;  ///< half the range of the middle half of the ratios
 };
-
-template <class Action>
-double wall_seconds(Action action) {
-  const auto begin = std::chrono::steady_clock::now();
-  action();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// In each round a feature and the usual begin anew, for where its memory lies makes a run quicker or slower, and take
 /// turns of some steps. Turns of the usual are added to `usual_seconds` [s per step].
@@ -66,47 +60,55 @@ squeezed so that every element yields. Each row differs from it in one thing. Bo
 turns of some steps. Given are the median of the ratios of their times, half the range of the middle half of these
 ratios, and what that is in time where the usual takes its own median. Bytes are those that an element stores, with the
 numbers of its eight nodes.
-
 )";
+
+/// The groups that are left of all if features must have a word in their names.
+std::vector<Group> groups(const std::string& word) {
+  std::vector<Group> groups{{"The usual", {usual("the usual against itself")}}};
+  for (const auto& group : {strengths, failures, equations_of_state, elements, numbers, conditions, outputs, ledger})
+    groups.push_back(group());
+  for (Group& group : groups)
+    std::erase_if(group.features, [&](const Feature& f) { return f.name.find(word) == std::string::npos; });
+  std::erase_if(groups, [](const Group& group) { return group.features.empty(); });
+  return groups;
+}
+
+/// A group where the usual takes so many nanoseconds.
+std::string markdown(const Group& group, const std::vector<Price>& prices, double ns) {
+  std::string text = head({group.title, "bytes", "ns per element and step", "more", "ratio", "+-"});
+  for (std::size_t i = 0; i < prices.size(); ++i) {
+    const auto& [bytes, ratio, spread] = prices[i];
+    text += row({group.features[i].name, formatted("%.0f", bytes), formatted("%.1f", ratio * ns),
+                 formatted("%+.1f", (ratio - 1) * ns), formatted("%.3f", ratio), formatted("%.3f", spread)});
+  }
+  return text;
+}
 
 }  // namespace
 
 int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
-    const std::string path = options.text("out", "out/prices/prices.md");
-    const std::string word = options.text("only", "");
+    const std::string path = options.text("out", "out/prices/prices.md"), word = options.text("only", "");
     const std::size_t rounds = options.count("rounds", 7);
     options.check();
 
     const Feature baseline = usual("the usual");
-    std::vector<Group> groups{{"The usual", {usual("the usual against itself")}}};
-    for (const auto& group : {strengths, failures, equations_of_state, elements, numbers, conditions, outputs, ledger})
-      groups.push_back(group());
-    for (Group& group : groups)
-      std::erase_if(group.features, [&](const Feature& f) { return f.name.find(word) == std::string::npos; });
-    std::erase_if(groups, [](const Group& group) { return group.features.empty(); });
-    std::vector<double> usual_seconds;
+    const std::vector<Group> chosen = groups(word);
     std::vector<std::vector<Price>> prices;
-    for (const Group& group : groups) {
+    std::vector<double> usual_seconds;
+    for (const Group& group : chosen) {
       prices.emplace_back();
       for (const Feature& feature : group.features) {
         const Price& p = prices.back().emplace_back(price(feature, baseline, rounds, usual_seconds));
-        std::printf("%-72s %5.0f B  %.3f +- %.3f\n", feature.name.c_str(), p.bytes, p.ratio, p.spread);
+        std::printf("%-64s %5.0f B  %.3f +- %.3f\n", feature.name.c_str(), p.bytes, p.ratio, p.spread);
         std::fflush(stdout);
       }
     }
+    if (chosen.empty()) throw Error(strike::detail::joined({"No feature has '", word, "' in its name."}));
 
     const double ns = 1e9 * median(usual_seconds) / static_cast<double>(mesh.hexahedra.size());
     std::string text = introduction;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      text += head({groups[i].title, "bytes", "ns per element and step", "more", "ratio", "+-"});
-      for (std::size_t k = 0; k < groups[i].features.size(); ++k) {
-        const Price& p = prices[i][k];
-        text += row({groups[i].features[k].name, formatted("%.0f", p.bytes), formatted("%.1f", p.ratio * ns),
-                     formatted("%+.1f", (p.ratio - 1) * ns), formatted("%.3f", p.ratio), formatted("%.3f", p.spread)});
-      }
-      if (i + 1 < groups.size()) text += '\n';
-    }
+    for (std::size_t i = 0; i < chosen.size(); ++i) text += "\n" + markdown(chosen[i], prices[i], ns);
     strike::detail::replace_file(path, text);
     std::printf("\nThe usual: %.1f ns per element and step. Written: %s\n", ns, path.c_str());
   });

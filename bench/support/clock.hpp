@@ -1,6 +1,9 @@
 #pragma once
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 #include <ctime>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -13,7 +16,15 @@ double cpu_seconds(Action action) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-/// The number that a share of the others lie below; half: the median.
+/// What it takes by the clock on the wall [s].
+template <class Action>
+double wall_seconds(Action action) {
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// The number that a share of the others lie below.
 inline double quantile(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
   return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1) + 0.5)];
