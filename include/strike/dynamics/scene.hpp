@@ -64,15 +64,15 @@ namespace detail {
 template <class Thing, class Numbers>
 struct Running {
   using type = Thing;
-  static Thing start(Thing thing, Nodes<typename Numbers::NodeReal>&, std::vector<std::vector<Index>>&, std::size_t&) {
+  static Thing start(Thing thing, typename Numbers::Nodes&, std::vector<std::vector<Index>>&, std::size_t&) {
     return thing;
   }
 };
 template <class E, class M, std::size_t n, class Numbers>
 struct Running<Part<E, M, n>, Numbers> {
   using type = RunningPart<E, M, typename Numbers::Number, typename Numbers::NodeReal>;
-  static type start(Part<E, M, n> part, Nodes<typename Numbers::NodeReal>& nodes,
-                    std::vector<std::vector<Index>>& orders, std::size_t& number) {
+  static type start(Part<E, M, n> part, typename Numbers::Nodes& nodes, std::vector<std::vector<Index>>& orders,
+                    std::size_t& number) {
     const std::size_t mine = number++;
     return type(std::move(part), nodes, mine, std::move(orders[mine]));
   }
