@@ -11,9 +11,9 @@ namespace {
 /// An element that tells nothing of its works, so that the compiler leaves them out.
 template <class E>
 struct Silent : E {
-  template <class M, class T>
+  template <class M, class T, class Velocities>
   Response<T, E::nodes> advance(typename E::template State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x,
-                                const Nodal<T, E::nodes>& v, double dt) const {
+                                const Velocities& v, double dt) const {
     Response<T, E::nodes> response = E::advance(state, material, x, v, dt);
     response.internal_work = response.hourglass_work = response.bulk_viscosity_work = T(0.0);
     return response;
