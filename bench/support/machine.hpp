@@ -8,7 +8,7 @@
 
 #include "clock.hpp"
 
-// What one core of this machine can do.
+// What one core of this machine can do at best.
 namespace bench {
 
 /// What is written here has to be computed.
@@ -16,13 +16,12 @@ inline volatile double sink;
 /// What is read here the compiler does not know.
 inline volatile double source = 1;
 
-/// What an action takes, the median of some repetitions [s of CPU]: limits and what is held against them meet the same
-/// moods of the machine.
+/// The quickest of some repetitions [s of CPU]: others on the machine only ever add to the time.
 template <class Action>
-double usual_seconds(Action action) {
-  std::vector<double> seconds(9);
-  for (double& s : seconds) s = cpu_seconds(action);
-  return median(seconds);
+double quickest(Action action) {
+  double best = cpu_seconds(action);
+  for (int repeat = 0; repeat < 9; ++repeat) best = std::min(best, cpu_seconds(action));
+  return best;
 }
 
 /// How often one core does `next` to a number [1/s]. Several independent chains hide its latency.
@@ -30,7 +29,7 @@ template <class T, class Next>
 double rate(Next next) {
   using Numbers = strike::Pack<T>;
   constexpr int chains = 10, length = 1 << 23;
-  const double seconds = usual_seconds([&] {
+  const double seconds = quickest([&] {
     [&]<int... k>(std::integer_sequence<int, k...>) {
       Numbers a[chains] = {Numbers(source + k)...};
       for (int i = 0; i < length; ++i) ((a[k] = next(a[k])), ...);
@@ -69,7 +68,7 @@ inline double triad(double bytes) {
   const auto n = static_cast<std::size_t>(bytes / (3 * sizeof(Numbers)));
   std::vector<Numbers> a(n, 0.0), b(n, source), c(n, source);
   const auto passes = static_cast<std::size_t>(std::max(1.0, 2e8 / bytes));
-  const double seconds = usual_seconds([&] {
+  const double seconds = quickest([&] {
     for (std::size_t pass = 0; pass < passes; ++pass) {
       const Numbers s = static_cast<double>(pass) + source;
       for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
