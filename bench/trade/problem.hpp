@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <utility>
@@ -8,9 +7,12 @@
 
 #include <strike/dynamics/explicit.hpp>
 
+#include "../support/clock.hpp"
+
 namespace trade {
 
 using namespace strike;
+using bench::cpu_seconds;
 
 /// What a run found and what it took.
 struct Outcome {
@@ -70,14 +72,6 @@ Problem problem(Problem about, Run run, Groups... groups) {
   Cases<Run> cases(about, run);
   (groups(cases), ...);
   return about;
-}
-
-/// What an action takes [s of CPU].
-template <class Action>
-double cpu_seconds(Action action) {
-  const std::clock_t begin = std::clock();
-  action();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 // The problems, each with its file.
