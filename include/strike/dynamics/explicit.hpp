@@ -28,8 +28,9 @@ struct ExplicitOptions {
 
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
 /// Between two steps it holds x, f at the time n and v half a step before. Policies, after the options and in any
-/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`) and execution (`OpenMP{}`).
-template <class Numbers, class Execution, class... Things>
+/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`) and what bounds the step
+/// (`GlobalStep{}`).
+template <class Numbers, class Execution, class Bound, class... Things>
 class Explicit {
  public:
   using Real = typename Numbers::NodeReal;
@@ -37,11 +38,11 @@ class Explicit {
   template <class... Policies>
   explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, const Policies&... policies)
       : Explicit(std::move(scene), options, detail::pick<detail::IsExecution>(policies..., Serial{}),
-                 detail::arrange(scene)) {
+                 detail::pick<detail::IsStepBound>(policies..., ElementStep{}), detail::arrange(scene)) {
     static_assert(
         (detail::is_policy<Policies> && ...),
-        "strike: the policies of Explicit, after its options, are its numbers, such as in<Pack<float>>, and its "
-        "execution, such as OpenMP{}.");
+        "strike: the policies of Explicit, after its options, are its numbers, such as in<Pack<float>>, its execution, "
+        "such as OpenMP{}, and the bound of its step, such as GlobalStep{}.");
   }
 
   /// One step: from n to n + 1.
@@ -119,12 +120,13 @@ class Explicit {
   }
 
  private:
-  using Running = std::tuple<typename detail::Running<Things, Numbers>::type...>;
+  using Running = std::tuple<typename detail::Running<Things, Numbers, Bound>::type...>;
 
-  Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution,
+  Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution, const Bound& bound,
            detail::Arrangement arrangement)
       : options_(options),
         execution_(execution),
+        bound_(bound),
         nodes_(scene.nodes, std::move(arrangement.nodes)),
         things_(start(std::move(scene.things), nodes_, std::move(arrangement.cells))),
         kinetic_(detail::chunks(nodes_.size())) {
@@ -155,7 +157,7 @@ class Explicit {
     std::size_t number = 0;
     return std::apply(
         [&](auto&... thing) {
-          return Running{detail::Running<Things, Numbers>::start(std::move(thing), nodes, orders, number)...};
+          return Running{detail::Running<Things, Numbers, Bound>::start(std::move(thing), nodes, orders, number)...};
         },
         things);
   }
@@ -299,6 +301,7 @@ class Explicit {
         if (mine.dt < stable_.dt) stable_ = mine;
       }
     });
+    bound_.extend(stable_, nodes_, things_, execution_);
   }
 
   void push() {
@@ -332,6 +335,7 @@ class Explicit {
 
   ExplicitOptions options_;
   Execution execution_;
+  [[no_unique_address]] typename Bound::template Running<Real> bound_;
   Nodes<Real> nodes_;
   Running things_;
   std::vector<double> kinetic_;  // twice the kinetic energy of each chunk of nodes
@@ -346,8 +350,8 @@ class Explicit {
 };
 
 /// A scene that the compiler has already complained about gets no second complaint.
-template <class Numbers, class Execution, class... Things>
-requires(!Scene<Things...>::sound || !Numbers::is_scalar) class Explicit<Numbers, Execution, Things...> {
+template <class Numbers, class Execution, class Bound, class... Things>
+requires(!Scene<Things...>::sound || !Numbers::is_scalar) class Explicit<Numbers, Execution, Bound, Things...> {
  public:
   explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {}
   void step() {}
@@ -355,9 +359,10 @@ requires(!Scene<Things...>::sound || !Numbers::is_scalar) class Explicit<Numbers
 };
 
 template <class... Things>
-Explicit(Scene<Things...>) -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, Things...>;
+Explicit(Scene<Things...>) -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, detail::StepBoundOf<>, Things...>;
 template <class... Things, class... Policies>
 Explicit(Scene<Things...>, ExplicitOptions, Policies...)
-    -> Explicit<detail::NumbersOf<Policies...>, detail::ExecutionOf<Policies...>, Things...>;
+    -> Explicit<detail::NumbersOf<Policies...>, detail::ExecutionOf<Policies...>, detail::StepBoundOf<Policies...>,
+                Things...>;
 
 }  // namespace strike

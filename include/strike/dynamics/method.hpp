@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <strike/dynamics/execution.hpp>
+#include <strike/dynamics/step_bound.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -33,7 +34,10 @@ template <class P>
 struct IsExecution : std::bool_constant<Execution<P>> {};
 
 template <class P>
-inline constexpr bool is_policy = IsNumbers<P>::value || IsExecution<P>::value;
+struct IsStepBound : std::bool_constant<StepBound<P>> {};
+
+template <class P>
+inline constexpr bool is_policy = IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value;
 
 /// The first of the policies that `Is`, else the last, which is the usual one.
 template <template <class> class Is, class Policy, class... Rest>
@@ -47,6 +51,8 @@ template <class... Policies>
 using NumbersOf = decltype(pick<IsNumbers>(std::declval<Policies>()..., In<Pack<double>>{}));
 template <class... Policies>
 using ExecutionOf = decltype(pick<IsExecution>(std::declval<Policies>()..., Serial{}));
+template <class... Policies>
+using StepBoundOf = decltype(pick<IsStepBound>(std::declval<Policies>()..., ElementStep{}));
 
 }  // namespace detail
 

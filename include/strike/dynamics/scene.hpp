@@ -60,21 +60,25 @@ struct Scene {
 
 namespace detail {
 
-/// A thing of a scene at work: parts take their lanes, the rest stays as it is.
-template <class Thing, class Numbers>
+/// A thing of a scene at work: parts take their lanes and what the bound of the step needs, the rest stays as it is.
+template <class Thing, class Numbers, class Bound>
 struct Running {
   using type = Thing;
   static Thing start(Thing thing, Nodes<typename Numbers::NodeReal>&, std::vector<std::vector<Index>>&, std::size_t&) {
     return thing;
   }
 };
-template <class E, class M, std::size_t n, class Numbers>
-struct Running<Part<E, M, n>, Numbers> {
-  using type = RunningPart<E, M, typename Numbers::Number, typename Numbers::NodeReal>;
+template <class E, class M, std::size_t n, class Numbers, class Bound>
+struct Running<Part<E, M, n>, Numbers, Bound> {
+  using RunningElement = typename Bound::template Element<E, M>;
+  using RunningMaterial = typename Bound::template Material<M>;
+  using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, typename Numbers::NodeReal>;
   static type start(Part<E, M, n> part, Nodes<typename Numbers::NodeReal>& nodes,
                     std::vector<std::vector<Index>>& orders, std::size_t& number) {
     const std::size_t mine = number++;
-    return type(std::move(part), nodes, mine, std::move(orders[mine]));
+    return type({RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)},
+                 std::move(part.cells)},
+                nodes, mine, std::move(orders[mine]));
   }
 };
 
