@@ -28,7 +28,8 @@ struct ExplicitOptions {
 
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
 /// Between two steps it holds x, f at the time n and v half a step before. Policies, after the options and in any
-/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`) and what bounds the step
+/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`) and what bounds the
+/// step
 /// (`GlobalStep{}`).
 template <class Numbers, class Execution, class Bound, class... Things>
 class Explicit {
@@ -80,6 +81,8 @@ class Explicit {
   double dt() const { return step_.dt; }
   /// The element that allows the least step, and that step before the factor.
   const StableStep& stable_step() const { return stable_; }
+  /// What bounds the step, at work.
+  const auto& step_bound() const { return bound_; }
   /// What the user should know before believing the results, a sentence each.
   std::vector<std::string> notices() const {
     std::vector<std::string> all;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -130,25 +131,25 @@ inline double random_normal(std::uint64_t k) {
   return std::sqrt(-2 * std::log(random_number(2 * k))) * std::cos(2 * std::numbers::pi * random_number(2 * k + 1));
 }
 
-/// How many steps of Lanczos's iteration from a random vector of n components leave the largest eigenvalue of a
-/// positive matrix underestimated by more than the share `deviation` with a probability of at most `failure`: 1.648
-/// sqrt(n) exp(-sqrt(deviation) (2 k - 1)) (Kuczynski and Wozniakowski 1992, theorem 4.2).
+/// How many steps of Lanczos's iteration from a random direction of n components leave the largest eigenvalue of a
+/// positive matrix underestimated by more than the share `deviation` with a probability of at most `failure`: this is
+/// 1.648 sqrt(n) exp(-sqrt(deviation) (2 k - 1)) (Kuczynski and Wozniakowski 1992).
 inline std::size_t lanczos_steps(std::size_t n, double deviation, double failure) {
-  const double steps = std::log(1.648 * std::sqrt(static_cast<double>(n)) / failure) / std::sqrt(deviation);
-  return std::min(n, static_cast<std::size_t>(std::ceil(0.5 * (steps + 1))));
+  const double twice = std::log(1.648 * std::sqrt(static_cast<double>(n)) / failure) / std::sqrt(deviation);
+  return std::min(n, static_cast<std::size_t>(std::ceil(0.5 * (twice + 1))));
 }
 
 }  // namespace detail
 
-/// The stable step of the mesh as a whole, which is larger than that of its elements: their highest modes do not fit
-/// together. It is found by Lanczos's iteration on the assembled mesh, of which only those elements take part that
-/// would need smaller steps, and followed from element to element as the mesh deforms. The mesh is asked again when the
-/// steps lost since amount to what that costs.
+/// The stable step of the mesh as a whole, larger than that of its elements, whose highest modes do not fit together.
+/// Lanczos's iteration finds it on those elements that would need smaller steps, and it is followed from element to
+/// element as the mesh deforms. They are asked again when the steps lost since amount to what that costs.
 ///   Explicit run{scene, options, GlobalStep{}};
 struct GlobalStep {
-  double deviation = 0.1;  ///< how far the iteration may stay below the eigenvalue: about twice what the step loses
-  double failure = 1e-9;   ///< probability that it stays further below
-  double price = 0.5;      ///< of an iteration, in steps
+  double failure = 1e-9;    ///< probability that an answer is less safe than it says
+  double deviation = 0.15;  ///< how far the iteration may stay below the eigenvalue if all elements are asked; of the
+                            ///< share s of them s^(2/3) of that, for they cost less. The step loses about half of it.
+  double price = 0.5;       ///< of an iteration with all elements, in steps
 
   template <class E, class M>
   using Element = detail::Bounded<E, M>;
@@ -158,6 +159,7 @@ struct GlobalStep {
   class Running;
 };
 
+/// The bound at work.
 template <class Real>
 class GlobalStep::Running {
  public:
@@ -166,19 +168,18 @@ class GlobalStep::Running {
   template <class Things, class Execution>
   void extend(StableStep& stable, Nodes<Real>& nodes, Things& things, const Execution& execution) {
     const double own = stable.dt;
-    const double allowed = std::max(own, allowed_step(things, execution));
-    earned_ += allowed / own - 1;
-    lost_ += 1 - allowed / (hope_ * own);
-    stable.dt = allowed;
-    if (lost_ < price_ * patience_) return;
-    patience_ = earned_ < price_ ? 2 * patience_ : 1;
-    refresh(own, nodes, things, execution);
     stable.dt = std::max(own, allowed_step(things, execution));
-    earned_ = lost_ = 0;
+    earned_ += stable.dt / own - 1;
+    lost_ += 1 - stable.dt / (hope_ * own);
+    if (lost_ < patience_ * price_) return;
+    patience_ = earned_ < price_ ? 2 * patience_ : 1;
+    ask(own, nodes, things, execution);
+    stable.dt = std::max(own, allowed_step(things, execution));
+    lost_ = earned_ = 0;
   }
 
   /// How often the mesh was asked, and by how many products with its matrix.
-  std::size_t refreshes() const { return refreshes_; }
+  std::size_t asked() const { return asked_; }
   std::size_t products() const { return products_; }
 
  private:
@@ -186,176 +187,202 @@ class GlobalStep::Running {
 
   template <class Things, class F>
   static void each_part(Things& things, const F& f) {
-    const auto ask = [&](auto& thing) {
+    const auto visit = [&](auto& thing) {
       if constexpr (requires { thing.patches(); }) f(thing);
     };
-    std::apply([&](auto&... thing) { (ask(thing), ...); }, things);
+    std::apply([&](auto&... thing) { (visit(thing), ...); }, things);
   }
+  template <class Part>
+  using NumberOf = std::decay_t<decltype(std::declval<Part>().blocks()[0].state.own_step)>;
 
-  /// The step at which the strained mesh is still safe: those asked have together the bound of then, less what their
-  /// own bounds and their shapes have lost; the others have their own.
+  /// What the mesh allows as it stands: of those asked what is left of their bound, of the others their own.
   template <class Things, class Execution>
   double allowed_step(Things& things, const Execution& execution) {
     double allowed = std::numeric_limits<double>::infinity();
     each_part(things, [&](auto& part) {
-      using T = std::decay_t<decltype(part.blocks()[0].state.own_step)>;
-      least_.assign(part.patches().size(), 0);
-      execution.for_each(part.patches().size(), [&](std::size_t p) {
+      using T = NumberOf<decltype(part)>;
+      sums_.resize(part.patches().size());
+      execution.for_each(sums_.size(), [&](std::size_t p) {
+        const detail::Patch& patch = part.patches()[p];
         T least = T(std::numeric_limits<RealOf<T>>::max());
-        for (std::size_t b = part.patches()[p].first_block; b < part.patches()[p].last_block; ++b) {
+        for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
           const auto& state = part.blocks()[b].state;
           least = min(least, select(state.step_when_asked > 0.0, T(bound_) * state.share_left(), state.own_step));
         }
-        least_[p] = static_cast<double>(reduce_min(least));
+        sums_[p] = static_cast<double>(reduce_min(least));
       });
-      for (const double least : least_) allowed = std::min(allowed, least);
+      for (const double least : sums_) allowed = std::min(allowed, least);
     });
     return allowed;
   }
 
-  /// Asks the mesh.
+  /// Finds the bound anew; `own` is the least step of an element.
   template <class Things, class Execution>
-  void refresh(double own, Nodes<Real>& nodes, Things& things, const Execution& execution) {
-    const double dt = hope_ * own;  // near what will be found, for the damping scales otherwise than the stiffness
-    const double share = choose(1.1 * dt, dt, nodes, things);
-    const std::size_t steps = detail::lanczos_steps(3 * places_.size(), policy_.deviation, policy_.failure);
-    const double mu = lanczos(steps, nodes, things, execution) / (1 - policy_.deviation);
-    bound_ = mu > 1 ? dt / mu : dt / std::sqrt(mu);  // mu(dt) grows at least as dt and at most as dt^2
+  void ask(double own, Nodes<Real>& nodes, Things& things, const Execution& execution) {
+    const double dt = hope_ * own;  // near what will be found, for damping scales otherwise than stiffness
+    const double share = choose(1.2 * dt, dt, nodes, things);
+    const double deviation = std::max(policy_.deviation * std::cbrt(share * share), 0.005);
+    const std::size_t steps = detail::lanczos_steps(3 * places_.size(), deviation, policy_.failure);
+    const double mu = lanczos(steps, nodes, things, execution) / (1 - deviation);
+    bound_ = mu > 1 ? dt / mu : dt / std::sqrt(mu);  // mu(dt) falls at least as dt and grows at most as dt^2
     hope_ = std::clamp(bound_ / own, 1.02, 1.25 * hope_);
     price_ = 1 + policy_.price * share * static_cast<double>(steps);
-    ++refreshes_;
+    ++asked_;
   }
 
-  /// Those to ask: the elements that would need a step below `target`, and their neighbours, with their own masses
-  /// alone. The others are safe with what mass is left. Returns the share of those asked.
+  /// Chooses whom to ask: the elements whose own step is below `target`, and their neighbours. They have only their own
+  /// masses, so that the others are safe with theirs. Returns the share of those chosen.
   template <class Things>
   double choose(double target, double dt, Nodes<Real>& nodes, Things& things) {
-    std::vector<char> near(nodes.size(), 0);
+    std::vector<bool> near(nodes.size());
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
     each_part(things, [&](auto& part) {
-      for (std::size_t b = 0; b < part.blocks().size(); ++b)
+      for (std::size_t b = 0; b < part.blocks().size(); ++b) {
+        const auto& [corners, state] = part.blocks()[b];
         for (std::size_t l = 0; l < part.count(b); ++l)
-          if (static_cast<double>(lane(part.blocks()[b].state.own_step, l)) < target)
-            for (const auto& corner : part.blocks()[b].nodes) near[place(corner[l])] = 1;
+          if (static_cast<double>(lane(state.own_step, l)) < target)
+            for (const auto& corner : corners) near[place(corner[l])] = true;
+      }
     });
 
+    std::size_t chosen = 0, all = 0;
     mass_.assign(nodes.size(), 0);
-    std::size_t asked = 0, all = 0;
+    patches_.clear();
     each_part(things, [&](auto& part) {
-      for (std::size_t b = 0; b < part.blocks().size(); ++b) {
-        auto& [corners, state] = part.blocks()[b];
-        using State = std::decay_t<decltype(state)>;
-        using T = decltype(State::own_step);
-        constexpr int n = std::decay_t<decltype(part.element())>::nodes;
-        const T silent = T(std::numeric_limits<RealOf<T>>::max());
-        state.step_when_asked = T(0.0);
-        for (std::size_t l = 0; l < lanes<T>; ++l) {
-          const bool is_near = std::any_of(corners.begin(), corners.end(), [&](const auto& c) { return near[place(c[l])]; });
-          if (is_near) set_lane(state.step_when_asked, l, lane(state.own_step, l));
-        }
-        state.step_when_asked = select(state.own_step < silent, state.step_when_asked, T(0.0));
-        if (!any(state.step_when_asked > 0.0)) continue;
-        state.strain_when_asked = state.strain();
-        const Nodal<T, n> x = gather_positions<T, n>(nodes.position(), corners), v = gather<T, n>(nodes.velocity(), corners);
-        state.resistance = part.element().resistance(state, part.material(), x, v, dt);
-        for (std::size_t l = 0; l < part.count(b); ++l)
-          if (lane(state.step_when_asked, l) > 0) {
-            ++asked;
-            for (const auto& corner : corners) mass_[place(corner[l])] += lane(state.nodal_mass, l);
-          }
+      auto& mine = patches_.emplace_back();
+      for (std::size_t p = 0; p < part.patches().size(); ++p) {
+        const std::size_t before = chosen;
+        for (std::size_t b = part.patches()[p].first_block; b < part.patches()[p].last_block; ++b)
+          chosen += choose_in(part, b, dt, nodes, near);
+        if (chosen > before) mine.push_back(p);
       }
       all += part.size();
     });
     places_.clear();
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (mass_[i] > 0) places_.push_back(static_cast<Index>(i));
-    return static_cast<double>(asked) / static_cast<double>(all);
+    return static_cast<double>(chosen) / static_cast<double>(all);
   }
 
-  /// The largest eigenvalue over the masses after so many steps of Lanczos's iteration, which approaches it from below.
+  /// The same in block b; what has failed is not asked.
+  template <class Part>
+  std::size_t choose_in(Part& part, std::size_t b, double dt, Nodes<Real>& nodes, const std::vector<bool>& near) {
+    using T = NumberOf<Part>;
+    auto& [corners, state] = part.blocks()[b];
+    const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
+    const auto is_near = [&](std::size_t l) {
+      return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) { return near[place(corner[l])]; });
+    };
+    T chosen = T(0.0);
+    for (std::size_t l = 0; l < lanes<T>; ++l)
+      if (is_near(l)) set_lane(chosen, l, lane(state.own_step, l));
+    state.step_when_asked = select(chosen < T(std::numeric_limits<RealOf<T>>::max()), chosen, T(0.0));
+    if (!any(state.step_when_asked > 0.0)) return 0;
+
+    state.strain_when_asked = state.strain();
+    if constexpr (std::decay_t<decltype(part.element())>::sound)
+      state.resistance =
+          part.element().resistance(state, part.material(), gather_positions<T, Part::n>(nodes.position(), corners),
+                                    gather<T, Part::n>(nodes.velocity(), corners), dt);
+    std::size_t count = 0;
+    for (std::size_t l = 0; l < part.count(b); ++l)
+      if (lane(state.step_when_asked, l) > 0) {
+        ++count;
+        for (const auto& corner : corners) mass_[place(corner[l])] += lane(state.nodal_mass, l);
+      }
+    return count;
+  }
+
+  /// The largest eigenvalue of those asked over their masses as so many steps of Lanczos's iteration know it, from
+  /// below. With the vectors q over the masses:  b q_next = A q/m - a q - b_before q_before,  a = q.A q,  |q| = 1.
   template <class Things, class Execution>
   double lanczos(std::size_t steps, Nodes<Real>& nodes, Things& things, const Execution& execution) {
-    for (Field* field : {&now_, &before_, &product_}) field->assign(nodes.places(), {});
+    for (Field* field : {&q_, &q_before_, &resistance_}) field->assign(nodes.places(), {});
     for (const Index i : places_)
-      for (int c = 0; c < 3; ++c)
-        now_[i].x[c] = static_cast<Real>(
-            detail::random_normal((refreshes_ << 40) + 4 * std::uint64_t{i} + static_cast<std::uint64_t>(c)) /
-            std::sqrt(static_cast<double>(mass_[i])));
+      for (std::uint64_t c = 0; c < 3; ++c)
+        q_[i].x[c] = static_cast<Real>(detail::random_normal((asked_ << 40) + 3 * std::uint64_t{i} + c) /
+                                       std::sqrt(static_cast<double>(mass_[i])));
 
     std::vector<double> diagonal, beside;
-    double norm = std::sqrt(sum(execution, [&](Index i) { return mass_[i] * squared(now_[i]); }));
+    double norm = std::sqrt(sum(execution, [&](Index i) { return mass_[i] * dot(q_[i], q_[i]); }));
     for (std::size_t k = 0; k < steps && norm > 0; ++k) {
       if (k > 0) beside.push_back(norm);
-      const Real scale = static_cast<Real>(1 / norm), beta = static_cast<Real>(k > 0 ? norm : 0);
+      const Real b = k > 0 ? static_cast<Real>(norm) : 0, per_norm = static_cast<Real>(1 / norm);
       sum(execution, [&](Index i) {
-        for (int c = 0; c < 3; ++c) now_[i].x[c] *= scale, product_[i].x[c] = 0;
+        for (int c = 0; c < 3; ++c) q_[i].x[c] *= per_norm;
+        resistance_[i] = {};
         return Real(0);
       });
-      multiply(nodes, things, execution);  // product = -A now
-      const double alpha = -sum(execution, [&](Index i) {
-        return now_[i].x[0] * product_[i].x[0] + now_[i].x[1] * product_[i].x[1] + now_[i].x[2] * product_[i].x[2];
-      });
-      diagonal.push_back(alpha);
+      resist(nodes, things, execution);
+      diagonal.push_back(-sum(execution, [&](Index i) { return dot(q_[i], resistance_[i]); }));
+      const Real a = static_cast<Real>(diagonal.back());
       norm = std::sqrt(sum(execution, [&](Index i) {
-        const Real a = static_cast<Real>(alpha);
+        const Real per_mass = 1 / mass_[i];
         for (int c = 0; c < 3; ++c)
-          before_[i].x[c] = -product_[i].x[c] / mass_[i] - a * now_[i].x[c] - beta * before_[i].x[c];
-        return mass_[i] * squared(before_[i]);
+          q_before_[i].x[c] = -per_mass * resistance_[i].x[c] - a * q_[i].x[c] - b * q_before_[i].x[c];
+        return mass_[i] * dot(q_before_[i], q_before_[i]);
       }));
-      std::swap(now_, before_);
+      std::swap(q_, q_before_);
     }
-    return diagonal.empty() ? 0 : detail::largest_eigenvalue(diagonal, beside);
+    return detail::largest_eigenvalue(diagonal, beside);
   }
 
-  static Real squared(const Padded<Real>& a) { return a.x[0] * a.x[0] + a.x[1] * a.x[1] + a.x[2] * a.x[2]; }
+  static Real dot(const Padded<Real>& a, const Padded<Real>& b) {
+    return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
+  }
 
-  /// The sum of f(i) over the places of those asked, in an order that does not depend on the threads.
+  /// The sum of f(i) over the nodes of those asked, in an order that does not depend on the threads.
   template <class Execution, class F>
   double sum(const Execution& execution, const F& f) {
-    least_.assign(detail::chunks(places_.size()), 0);
+    sums_.resize(detail::chunks(places_.size()));
     detail::for_each_chunk(execution, places_.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
       double mine = 0;
       for (std::size_t j = first; j < last; ++j) mine += static_cast<double>(f(places_[j]));
-      least_[k] = mine;
+      sums_[k] = mine;
     });
-    double all = 0;
-    for (const double mine : least_) all += mine;
-    return all;
+    return std::accumulate(sums_.begin(), sums_.end(), 0.0);
   }
 
-  /// Subtracts the resistance of those asked against the field `now_` from `product_`.
+  /// resistance -= A q.
   template <class Things, class Execution>
-  void multiply(Nodes<Real>& nodes, Things& things, const Execution& execution) {
+  void resist(Nodes<Real>& nodes, Things& things, const Execution& execution) {
     ++products_;
+    auto patches = patches_.begin();
     each_part(things, [&](auto& part) {
-      using T = std::decay_t<decltype(part.blocks()[0].state.own_step)>;
-      constexpr std::size_t n = std::decay_t<decltype(part)>::n;
-      execution.for_each(part.patches().size(), [&](std::size_t p) {
-        const detail::Patch& patch = part.patches()[p];
-        part.patches().refresh(patch, now_, product_);
-        for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
-          const auto& [corners, state] = part.blocks()[b];
-          const auto asked = state.step_when_asked > 0.0;
-          if (!any(asked)) continue;
-          const auto masked = [&](const T& f) -> T { return select(asked, f, T(0.0)); };
-          const Nodal<T, n> x = gather_positions<T, n>(nodes.position(), corners), p_b = gather<T, n>(now_, corners);
-          const Nodal<T, n> f = state.resistance(x, p_b).unaryExpr(masked);
-          scatter_subtract<T, n>(f, product_, corners, part.count(b));
-        }
-      });
-      part.patches().gather(product_, execution);
+      execution.for_each(patches->size(),
+                         [&, &mine = *patches](std::size_t k) { resist(part, part.patches()[mine[k]], nodes); });
+      for (const std::size_t p : *patches) part.patches().gather(part.patches()[p], resistance_);
+      ++patches;
     });
+  }
+  template <class Part>
+  void resist(const Part& part, const detail::Patch& patch, const Nodes<Real>& nodes) {
+    using T = NumberOf<Part>;
+    constexpr std::size_t n = Part::n;
+    part.patches().refresh(patch, q_, resistance_);
+    for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
+      const auto& [corners, state] = part.blocks()[b];
+      const auto asked = state.step_when_asked > 0.0;
+      if (!any(asked)) continue;
+      if constexpr (std::decay_t<decltype(part.element())>::sound) {
+        const Nodal<T, static_cast<int>(n)> f =
+            state.resistance(gather_positions<T, n>(nodes.position(), corners), gather<T, n>(q_, corners));
+        scatter_subtract<T, n>(f.unaryExpr([&](const T& f_i) -> T { return select(asked, f_i, T(0.0)); }), resistance_,
+                               corners, part.count(b));
+      }
+    }
   }
 
   GlobalStep policy_;
-  double bound_ = 0;     // of those asked, when they were asked
-  double hope_ = 1.3;    // the step of the mesh over that of its elements
-  double lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // in steps
-  std::size_t refreshes_ = 0, products_ = 0;
-  std::vector<Index> places_;  // of the nodes of those asked, and their masses
-  std::vector<Real> mass_;
-  Field now_, before_, product_;
-  std::vector<double> least_;
+  double bound_ = 0;                                         // of those asked, when they were asked
+  double hope_ = 1.3;                                        // what that may be over the least of their own
+  double lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // [steps]
+  std::size_t asked_ = 0, products_ = 0;
+  std::vector<std::vector<std::size_t>> patches_;  // of each part, those with elements that are asked
+  std::vector<Index> places_;                      // of their nodes
+  std::vector<Real> mass_;                         // place by place, of those asked alone
+  Field q_, q_before_, resistance_;
+  std::vector<double> sums_;
 };
 
 }  // namespace strike

@@ -151,7 +151,7 @@ class RunningPart {
       patches_.refresh(patches_[p], nodes);
       outcomes_[p] = advance(patches_[p], nodes, dt);
     });
-    patches_.gather(nodes.force(), execution);
+    patches_.gather_forces(nodes, execution);
 
     StableStep stable{.part = number_};
     double internal = 0, hourglass = 0, bulk_viscosity = 0;
@@ -193,6 +193,7 @@ class RunningPart {
 
   // Its blocks of elements in memory, the patches that they form, and how many lanes of a block are elements.
   std::vector<Block>& blocks() { return blocks_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
   const detail::Patches& patches() const { return patches_; }
   std::size_t count(std::size_t b) const { return b + 1 < blocks_.size() ? width : size_ - b * width; }
 

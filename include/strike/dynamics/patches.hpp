@@ -69,27 +69,36 @@ class Patches {
     }
   }
 
-  /// The same for a field of vectors that is multiplied by a matrix into another.
-  template <class Field>
-  void refresh(const Patch& patch, Field& from, Field& to) const {
-    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
-      from[g] = from[sources_[g - first_ghost_]];
-      to[g] = {};
-    }
-  }
-
-  /// Adds what a field, such as that of the forces, has at ghosts to what it has at their nodes, patch after patch.
-  template <class Field, class Execution>
-  void gather(Field& field, const Execution& execution) const {
+  /// Adds the forces on the ghosts to those on their nodes, patch after patch.
+  template <class Real, class Execution>
+  void gather_forces(Nodes<Real>& nodes, const Execution& execution) const {
     for_each_chunk(execution, groups_.size() - 1, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
-        auto& sum = field[sources_[by_source_[groups_[k]]]];
+        Padded<Real>& sum = nodes.force()[sources_[by_source_[groups_[k]]]];
         for (Index i = groups_[k]; i < groups_[k + 1]; ++i) {
-          const auto& f = field[first_ghost_ + by_source_[i]];
+          const Padded<Real>& f = nodes.force()[first_ghost_ + by_source_[i]];
           for (int c = 0; c < 4; ++c) sum.x[c] += f.x[c];
         }
       }
     });
+  }
+
+  /// The same for a field of vectors that is multiplied by a matrix into another: brings the ghosts of a patch to what
+  /// their nodes have and clears the product, ...
+  template <class Field>
+  void refresh(const Patch& patch, Field& field, Field& product) const {
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
+      field[g] = field[sources_[g - first_ghost_]];
+      product[g] = {};
+    }
+  }
+  /// ... and adds the product at them to that at their nodes, if patch after patch then as the forces.
+  template <class Field>
+  void gather(const Patch& patch, Field& product) const {
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
+      auto& sum = product[sources_[g - first_ghost_]];
+      for (int c = 0; c < 4; ++c) sum.x[c] += product[g].x[c];
+    }
   }
 
  private:

@@ -76,9 +76,9 @@ struct Running<Part<E, M, n>, Numbers, Bound> {
   static type start(Part<E, M, n> part, Nodes<typename Numbers::NodeReal>& nodes,
                     std::vector<std::vector<Index>>& orders, std::size_t& number) {
     const std::size_t mine = number++;
-    return type({RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)},
-                 std::move(part.cells)},
-                nodes, mine, std::move(orders[mine]));
+    return type(
+        {RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)}, std::move(part.cells)},
+        nodes, mine, std::move(orders[mine]));
   }
 };
 

@@ -6,7 +6,8 @@ namespace strike {
 /// What bounds the stable step of a run.
 /// A model has
 /// - `Element<E, M>` and `Material<M>`: what parts work with instead of E and M so that the bound knows what it needs;
-/// - `Running<Real>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces of a step,
+/// - `Running<Real>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces of a
+/// step,
 ///   replaces the least stable step of all elements by a larger one that is as safe.
 template <class B>
 concept StepBound = std::copyable<B> && requires {
