@@ -25,13 +25,13 @@ template <class M>
 struct Watched : M {
   template <class T>
   struct State : M::template State<T> {
-    T strain{};  ///< sum of sqrt(2/3 d:d) dt, d = dev D: but for the volume no length has shrunk by more
+    T watched_strain{};  ///< sum of sqrt(2/3 d:d) dt, d = dev D: but for the volume no length has shrunk by more
   };
 
   template <class T>
   auto stress(State<T>& state, const typename M::Kinematics::template Rate<T>& rate, double dt) const {
     const SymmetricTensor<T> d = deviator(rate.rate_of_deformation);
-    state.strain += T(dt) * sqrt((2.0 / 3.0) * double_dot(d, d));
+    state.watched_strain += T(dt) * sqrt((2.0 / 3.0) * double_dot(d, d));
     return M::stress(static_cast<typename M::template State<T>&>(state), rate, dt);
   }
   template <class T>
@@ -75,7 +75,7 @@ struct Bounded : E {
     /// Not less than what any of its points has been strained.
     T strain() const {
       T sum = T(0.0);
-      this->each_point([&](const auto& point) { sum += point.strain; });
+      this->each_point([&](const auto& point) { sum += point.watched_strain; });
       return sum;
     }
     /// What is left of the bound of those asked: no more than of its own, less what its shape may have lost.
@@ -103,7 +103,7 @@ inline double largest_eigenvalue(const std::vector<double>& diagonal, const std:
   const std::size_t n = diagonal.size();
   double lower = 0, upper = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double row = (i > 0 ? beside[i - 1] : 0) + (i + 1 < n ? beside[i] : 0);
+    const double row = (i > 0 ? std::abs(beside[i - 1]) : 0) + (i + 1 < n ? std::abs(beside[i]) : 0);
     lower = std::max(lower, diagonal[i]), upper = std::max(upper, diagonal[i] + row);
   }
   const auto is_above = [&](double x) {
