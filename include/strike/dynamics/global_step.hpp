@@ -268,7 +268,8 @@ class GlobalStep::Running {
   template <class Part>
   std::size_t choose_in(Part& part, std::size_t b, double dt, Nodes<Real>& nodes, const std::vector<bool>& near) {
     using T = NumberOf<Part>;
-    auto& [corners, state] = part.blocks()[b];
+    auto& state = part.blocks()[b].state;
+    const auto& corners = part.blocks()[b].nodes;
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
     const auto is_near = [&](std::size_t l) {
       return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) { return near[place(corner[l])]; });
