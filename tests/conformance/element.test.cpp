@@ -47,8 +47,8 @@ struct Tetrahedron {
     const SymmetricTensor<T> S = T(0.5) * symmetric_part(bb);  // nodal masses of rho V/4, not rho V/8
     const Stability<T> stability{trace(S), largest_eigenvalue(S), rate.relative_volume / material.density()};
     Response<T, 4> response{sigma.matrix().lazyProduct(g.B), g.volume, T(0.0), work, T(0.0), T(0.0)};
-    response.stable_step =
-        1.0 / stability.vibration(material, material.moduli(state.material, rate), T(0.0)).critical_rate();
+    response.critical_rate =
+        stability.vibration(material, material.moduli(state.material, rate), T(0.0)).critical_rate();
     if constexpr (requires { material.intact(state.material); })
       silence(material.intact(state.material) > 0.0, response);
     return response;

@@ -28,7 +28,7 @@ template <class Run>
 double least_own_step(Run& run) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& block : run.template thing<0>().blocks())
-    least = std::min(least, static_cast<double>(reduce_min(block.state.own_step)));
+    least = std::min(least, 1 / static_cast<double>(reduce_max(block.state.own_rate)));
   return least;
 }
 

@@ -35,6 +35,7 @@ template <class Numbers, class Execution, class Bound, class... Things>
 class Explicit {
  public:
   using Real = typename Numbers::NodeReal;
+  using Nodes = typename Numbers::Nodes;
 
   template <class... Policies>
   explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, const Policies&... policies)
@@ -105,8 +106,8 @@ class Explicit {
     return p;
   }
 
-  const Nodes<Real>& nodes() const { return nodes_; }
-  Nodes<Real>& nodes() { return nodes_; }
+  const Nodes& nodes() const { return nodes_; }
+  Nodes& nodes() { return nodes_; }
   std::vector<Eigen::Vector3d> positions() const {
     std::vector<Eigen::Vector3d> x(nodes_.size());
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i);
@@ -156,7 +157,7 @@ class Explicit {
     push();
   }
 
-  static Running start(std::tuple<Things...> things, Nodes<Real>& nodes, std::vector<std::vector<Index>> orders) {
+  static Running start(std::tuple<Things...> things, Nodes& nodes, std::vector<std::vector<Index>> orders) {
     std::size_t number = 0;
     return std::apply(
         [&](auto&... thing) {
@@ -338,8 +339,8 @@ class Explicit {
 
   ExplicitOptions options_;
   Execution execution_;
-  [[no_unique_address]] typename Bound::template Running<Real> bound_;
-  Nodes<Real> nodes_;
+  [[no_unique_address]] typename Bound::template Running<Nodes> bound_;
+  Nodes nodes_;
   Running things_;
   std::vector<double> kinetic_;  // twice the kinetic energy of each chunk of nodes
   Ledger ledger_;

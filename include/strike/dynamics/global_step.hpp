@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <tuple>
@@ -67,8 +66,8 @@ struct Bounded : E {
   template <class W, class T>
   struct State : E::template State<W, T> {
     T nodal_mass{};
-    T own_step{};         ///< at the last step
-    T step_when_asked{};  ///< the same when the mesh was last asked; 0: was not among those asked
+    T own_rate{};         ///< one over the step that it allows alone, at the last step
+    T rate_when_asked{};  ///< the same when the mesh was last asked; 0: was not among those asked
     T strain_when_asked{};
     typename ResistanceOf<E, T>::type resistance{};
 
@@ -78,9 +77,11 @@ struct Bounded : E {
       this->each_point([&](const auto& point) { sum += point.watched_strain; });
       return sum;
     }
-    /// What is left of the bound of those asked: no more than of its own, less what its shape may have lost.
-    T share_left() const {
-      return min(T(1.0), own_step / step_when_asked) * max(T(0.0), 1.0 - (strain() - strain_when_asked));
+    /// One over the step that it allows in a mesh whose bound was this rate: that has grown as its own, and by what its
+    /// shape may have lost.
+    T rate_with(const T& bound) const {
+      const T left = max(T(0.0), 1.0 - (strain() - strain_when_asked));
+      return select(rate_when_asked > 0.0, bound * max(T(1.0), own_rate / rate_when_asked) / left, own_rate);
     }
   };
 
@@ -88,11 +89,11 @@ struct Bounded : E {
   T begin(State<W, T>& state, const W& material, const Nodal<T, E::nodes>& x) const {
     return state.nodal_mass = E::begin(state, material, x);
   }
-  template <class W, class T>
-  Response<T, E::nodes> advance(State<W, T>& state, const W& material, const Nodal<T, E::nodes>& x,
-                                const Nodal<T, E::nodes>& v, double dt) const {
-    Response<T, E::nodes> response = E::advance(state, material, x, v, dt);
-    state.own_step = response.stable_step;
+  template <class W, class T, class Velocities>
+  auto advance(State<W, T>& state, const W& material, const Nodal<T, E::nodes>& x, const Velocities& v, double dt) const
+      -> decltype(std::declval<const E&>().advance(state, material, x, v, dt)) {
+    const Response<T, E::nodes> response = E::advance(state, material, x, v, dt);
+    state.own_rate = response.critical_rate;
     return response;
   }
 };
@@ -155,18 +156,18 @@ struct GlobalStep {
   using Element = detail::Bounded<E, M>;
   template <class M>
   using Material = detail::Watched<M>;
-  template <class Real>
+  template <class Nodes>
   class Running;
 };
 
 /// The bound at work.
-template <class Real>
+template <class Nodes>
 class GlobalStep::Running {
  public:
   explicit Running(const GlobalStep& policy) : policy_(policy) {}
 
   template <class Things, class Execution>
-  void extend(StableStep& stable, Nodes<Real>& nodes, Things& things, const Execution& execution) {
+  void extend(StableStep& stable, Nodes& nodes, Things& things, const Execution& execution) {
     const double own = stable.dt;
     stable.dt = std::max(own, allowed_step(things, execution));
     earned_ += stable.dt / own - 1;
@@ -183,7 +184,9 @@ class GlobalStep::Running {
   std::size_t products() const { return products_; }
 
  private:
-  using Field = typename Nodes<Real>::Field;
+  using Field = std::decay_t<decltype(std::declval<Nodes&>().motion().position)>;
+  using Vector = typename Field::value_type;
+  using Real = std::decay_t<decltype(Vector{}.x[0])>;
 
   template <class Things, class F>
   static void each_part(Things& things, const F& f) {
@@ -193,37 +196,37 @@ class GlobalStep::Running {
     std::apply([&](auto&... thing) { (visit(thing), ...); }, things);
   }
   template <class Part>
-  using NumberOf = std::decay_t<decltype(std::declval<Part>().blocks()[0].state.own_step)>;
+  using NumberOf = std::decay_t<decltype(std::declval<Part>().blocks()[0].state.own_rate)>;
 
   /// What the mesh allows as it stands: of those asked what is left of their bound, of the others their own.
   template <class Things, class Execution>
   double allowed_step(Things& things, const Execution& execution) {
-    double allowed = std::numeric_limits<double>::infinity();
+    double rate = 0;
     each_part(things, [&](auto& part) {
       using T = NumberOf<decltype(part)>;
       sums_.resize(part.patches().size());
       execution.for_each(sums_.size(), [&](std::size_t p) {
         const detail::Patch& patch = part.patches()[p];
-        T least = T(std::numeric_limits<RealOf<T>>::max());
+        T largest = T(0.0);
         for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
-          const auto& state = part.blocks()[b].state;
-          least = min(least, select(state.step_when_asked > 0.0, T(bound_) * state.share_left(), state.own_step));
+          const T rate_b = part.blocks()[b].state.rate_with(T(1 / bound_));
+          largest = max(largest, rate_b);
         }
-        sums_[p] = static_cast<double>(reduce_min(least));
+        sums_[p] = static_cast<double>(reduce_max(largest));
       });
-      for (const double least : sums_) allowed = std::min(allowed, least);
+      for (const double largest : sums_) rate = std::max(rate, largest);
     });
-    return allowed;
+    return 1 / rate;
   }
 
   /// Finds the bound anew; `own` is the least step of an element.
   template <class Things, class Execution>
-  void ask(double own, Nodes<Real>& nodes, Things& things, const Execution& execution) {
+  void ask(double own, Nodes& nodes, Things& things, const Execution& execution) {
     const double dt = hope_ * own;  // near what will be found, for damping scales otherwise than stiffness
     const double share = choose(1.2 * dt, dt, nodes, things);
-    const double deviation = std::max(policy_.deviation * std::cbrt(share * share), 0.005);
-    const std::size_t steps = detail::lanczos_steps(3 * places_.size(), deviation, policy_.failure);
-    const double mu = lanczos(steps, nodes, things, execution) / (1 - deviation);
+    const double below = std::max(policy_.deviation * std::cbrt(share * share), 0.005);
+    const std::size_t steps = detail::lanczos_steps(3 * places_.size(), below, policy_.failure);
+    const double mu = lanczos(steps, nodes, things, execution) / (1 - below);
     bound_ = mu > 1 ? dt / mu : dt / std::sqrt(mu);  // mu(dt) falls at least as dt and grows at most as dt^2
     hope_ = std::clamp(bound_ / own, 1.02, 1.25 * hope_);
     price_ = 1 + policy_.price * share * static_cast<double>(steps);
@@ -233,14 +236,14 @@ class GlobalStep::Running {
   /// Chooses whom to ask: the elements whose own step is below `target`, and their neighbours. They have only their own
   /// masses, so that the others are safe with theirs. Returns the share of those chosen.
   template <class Things>
-  double choose(double target, double dt, Nodes<Real>& nodes, Things& things) {
+  double choose(double target, double dt, Nodes& nodes, Things& things) {
     std::vector<bool> near(nodes.size());
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
     each_part(things, [&](auto& part) {
       for (std::size_t b = 0; b < part.blocks().size(); ++b) {
         const auto& [corners, state] = part.blocks()[b];
         for (std::size_t l = 0; l < part.count(b); ++l)
-          if (static_cast<double>(lane(state.own_step, l)) < target)
+          if (static_cast<double>(lane(state.own_rate, l)) * target > 1)
             for (const auto& corner : corners) near[place(corner[l])] = true;
       }
     });
@@ -264,9 +267,9 @@ class GlobalStep::Running {
     return static_cast<double>(chosen) / static_cast<double>(all);
   }
 
-  /// The same in block b; what has failed is not asked.
+  /// The same in block b; what has failed, and has no rate, is not asked.
   template <class Part>
-  std::size_t choose_in(Part& part, std::size_t b, double dt, Nodes<Real>& nodes, const std::vector<bool>& near) {
+  std::size_t choose_in(Part& part, std::size_t b, double dt, Nodes& nodes, const std::vector<bool>& near) {
     using T = NumberOf<Part>;
     auto& state = part.blocks()[b].state;
     const auto& corners = part.blocks()[b].nodes;
@@ -274,20 +277,19 @@ class GlobalStep::Running {
     const auto is_near = [&](std::size_t l) {
       return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) { return near[place(corner[l])]; });
     };
-    T chosen = T(0.0);
+    state.rate_when_asked = T(0.0);
     for (std::size_t l = 0; l < lanes<T>; ++l)
-      if (is_near(l)) set_lane(chosen, l, lane(state.own_step, l));
-    state.step_when_asked = select(chosen < T(std::numeric_limits<RealOf<T>>::max()), chosen, T(0.0));
-    if (!any(state.step_when_asked > 0.0)) return 0;
+      if (is_near(l)) set_lane(state.rate_when_asked, l, lane(state.own_rate, l));
+    if (!any(state.rate_when_asked > 0.0)) return 0;
 
     state.strain_when_asked = state.strain();
     if constexpr (std::decay_t<decltype(part.element())>::sound)
       state.resistance =
-          part.element().resistance(state, part.material(), gather_positions<T, Part::n>(nodes.position(), corners),
-                                    gather<T, Part::n>(nodes.velocity(), corners), dt);
+          part.element().resistance(state, part.material(), gather<T, Part::n>(nodes.motion().position, corners),
+                                    gather<T, Part::n>(nodes.motion().velocity, corners), dt);
     std::size_t count = 0;
     for (std::size_t l = 0; l < part.count(b); ++l)
-      if (lane(state.step_when_asked, l) > 0) {
+      if (lane(state.rate_when_asked, l) > 0) {
         ++count;
         for (const auto& corner : corners) mass_[place(corner[l])] += lane(state.nodal_mass, l);
       }
@@ -297,7 +299,7 @@ class GlobalStep::Running {
   /// The largest eigenvalue of those asked over their masses as so many steps of Lanczos's iteration know it, from
   /// below. With the vectors q over the masses:  b q_next = A q/m - a q - b_before q_before,  a = q.A q,  |q| = 1.
   template <class Things, class Execution>
-  double lanczos(std::size_t steps, Nodes<Real>& nodes, Things& things, const Execution& execution) {
+  double lanczos(std::size_t steps, Nodes& nodes, Things& things, const Execution& execution) {
     for (Field* field : {&q_, &q_before_, &resistance_}) field->assign(nodes.places(), {});
     for (const Index i : places_)
       for (std::uint64_t c = 0; c < 3; ++c)
@@ -328,9 +330,7 @@ class GlobalStep::Running {
     return detail::largest_eigenvalue(diagonal, beside);
   }
 
-  static Real dot(const Padded<Real>& a, const Padded<Real>& b) {
-    return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
-  }
+  static Real dot(const Vector& a, const Vector& b) { return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2]; }
 
   /// The sum of f(i) over the nodes of those asked, in an order that does not depend on the threads.
   template <class Execution, class F>
@@ -346,7 +346,7 @@ class GlobalStep::Running {
 
   /// resistance -= A q.
   template <class Things, class Execution>
-  void resist(Nodes<Real>& nodes, Things& things, const Execution& execution) {
+  void resist(Nodes& nodes, Things& things, const Execution& execution) {
     ++products_;
     auto patches = patches_.begin();
     each_part(things, [&](auto& part) {
@@ -357,17 +357,17 @@ class GlobalStep::Running {
     });
   }
   template <class Part>
-  void resist(const Part& part, const detail::Patch& patch, const Nodes<Real>& nodes) {
+  void resist(const Part& part, const detail::Patch& patch, Nodes& nodes) {
     using T = NumberOf<Part>;
     constexpr std::size_t n = Part::n;
     part.patches().refresh(patch, q_, resistance_);
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
       const auto& [corners, state] = part.blocks()[b];
-      const auto asked = state.step_when_asked > 0.0;
+      const auto asked = state.rate_when_asked > 0.0;
       if (!any(asked)) continue;
       if constexpr (std::decay_t<decltype(part.element())>::sound) {
         const Nodal<T, static_cast<int>(n)> f =
-            state.resistance(gather_positions<T, n>(nodes.position(), corners), gather<T, n>(q_, corners));
+            state.resistance(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q_, corners));
         scatter_subtract<T, n>(f.unaryExpr([&](const T& f_i) -> T { return select(asked, f_i, T(0.0)); }), resistance_,
                                corners, part.count(b));
       }
@@ -375,7 +375,7 @@ class GlobalStep::Running {
   }
 
   GlobalStep policy_;
-  double bound_ = 0;                                         // of those asked, when they were asked
+  double bound_ = 1;                                         // of those asked, when they were asked
   double hope_ = 1.3;                                        // what that may be over the least of their own
   double lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // [steps]
   std::size_t asked_ = 0, products_ = 0;

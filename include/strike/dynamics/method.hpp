@@ -4,6 +4,7 @@
 
 #include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/step_bound.hpp>
+#include <strike/mesh/nodes.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -16,6 +17,7 @@ template <class T, class Node = RealOf<T>>
 struct In {
   using Number = T;
   using NodeReal = Node;
+  using Nodes = strike::Nodes<Node, RealOf<T>>;
   static constexpr bool is_scalar = Scalar<T>;
   static_assert(is_scalar,
                 "strike: in<T> names the number in the formulas: double, Pack<double, N>, Pack<float, N> or a Dual.");

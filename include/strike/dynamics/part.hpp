@@ -104,6 +104,7 @@ struct StableStep {
 template <class E, class M, class T, class Real = RealOf<T>>
 class RunningPart {
  public:
+  using Nodes = strike::Nodes<Real, RealOf<T>>;
   static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
   static constexpr std::size_t width = lanes<T>;
   using State = typename E::template State<M, T>;
@@ -114,7 +115,7 @@ class RunningPart {
   };
 
   /// `order` names every element once, in the order in which they are to lie in memory.
-  RunningPart(Part<E, M, n> part, Nodes<Real>& nodes, std::size_t number, std::vector<Index> order)
+  RunningPart(Part<E, M, n> part, Nodes& nodes, std::size_t number, std::vector<Index> order)
       : element_(std::move(part.element)),
         material_(std::move(part.material)),
         size_(part.cells.size()),
@@ -127,37 +128,33 @@ class RunningPart {
         const auto& cell = part.cells[order_[std::min(b * width + l, size_ - 1)]];  // idle lanes repeat the last one
         for (std::size_t i = 0; i < n; ++i) blocks_[b].nodes[i][l] = nodes.place(cell[i]);
       }
-      const T mass =
-          element_.begin(blocks_[b].state, material_, gather_positions<T, n>(nodes.position(), blocks_[b].nodes));
-      for (std::size_t l = 0; l < count(b); ++l) {
-        check_resolution(nodes, b * width + l);
-        if (!(lane(mass, l) > 0))
-          throw Error(detail::joined({"strike: ", describe_at(nodes, b * width + l),
-                                      " has no positive mass; its corners are in the wrong order or coincide."}));
-        for (const Index i : cell(nodes, b * width + l)) nodes.add_mass(i, static_cast<double>(lane(mass, l)));
-        mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
-      }
     }
     patches_ = detail::Patches(blocks_, width, nodes);
     outcomes_.resize(patches_.size());
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      patches_.load(patches_[p], nodes);
+      for (std::size_t b = patches_[p].first_block; b < patches_[p].last_block; ++b) begin(b, nodes);
+    }
   }
 
   /// Advances every element over the step dt that led to the present positions, adds its forces to the nodes and its
   /// work to the ledger, and returns the least stable step. Throws if an element is inverted; no node has moved by
   /// then.
   template <class Execution>
-  StableStep deform(Nodes<Real>& nodes, double dt, Ledger& ledger, const Execution& execution) {
+  StableStep deform(Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
     execution.for_each(patches_.size(), [&](std::size_t p) {
-      patches_.refresh(patches_[p], nodes);
-      outcomes_[p] = advance(patches_[p], nodes, dt);
+      patches_.load(patches_[p], nodes);
+      outcomes_[p] = advance(patches_[p], nodes.motion(), dt);
+      patches_.store(patches_[p], nodes);
     });
-    patches_.gather_forces(nodes, execution);
+    patches_.store_ghosts(nodes, execution);
 
     StableStep stable{.part = number_};
     double internal = 0, hourglass = 0, bulk_viscosity = 0;
     for (const Outcome& outcome : outcomes_) {
       if (!(outcome.inverted_volume > 0)) explain_inversion(nodes, outcome.inverted, outcome.inverted_volume);
-      if (outcome.stable_step < stable.dt) stable.dt = outcome.stable_step, stable.element = order_[outcome.slowest];
+      if (const double dt_p = 1 / outcome.critical_rate; dt_p < stable.dt)
+        stable.dt = dt_p, stable.element = order_[outcome.slowest];
       internal += outcome.internal_work;
       hourglass += outcome.hourglass_work;
       bulk_viscosity += outcome.bulk_viscosity_work;
@@ -213,18 +210,40 @@ class RunningPart {
   }
 
   /// "element 7 of part 0 at (x, y, z)", its number as given.
-  std::string describe(const Nodes<Real>& nodes, std::size_t e) const { return describe_at(nodes, place_of(e)); }
+  std::string describe(const Nodes& nodes, std::size_t e) const { return describe_at(nodes, place_of(e)); }
 
  private:
+  /// Sets the elements of a block at rest and gives their masses to the nodes.
+  void begin(std::size_t b, Nodes& nodes) {
+    Block& block = blocks_[b];
+    const T mass = element_.begin(block.state, material_, gather<T, n>(nodes.motion().position, block.nodes));
+    for (std::size_t l = 0; l < count(b); ++l) {
+      check_resolution(nodes, b * width + l);
+      if (!(lane(mass, l) > 0))
+        throw Error(detail::joined({"strike: ", describe_at(nodes, b * width + l),
+                                    " has no positive mass; its corners are in the wrong order or coincide."}));
+      for (const Index i : cell(nodes, b * width + l)) nodes.add_mass(i, static_cast<double>(lane(mass, l)));
+      mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
+    }
+  }
+
+  /// Velocities that are gathered when an element that knows how to wait asks for them.
+  struct Velocities {
+    const NodalField<RealOf<T>>& field;
+    const BlockNodes<n, width>& nodes;
+
+    operator Nodal<T, E::nodes>() const { return gather<T, n>(field, nodes); }
+  };
+
   /// What a patch tells after a step; elements by their places.
   struct Outcome {
-    double stable_step = std::numeric_limits<double>::infinity(), inverted_volume = 1;
+    double critical_rate = 0, inverted_volume = 1;
     std::size_t slowest = 0, inverted = 0;
     double internal_work = 0, hourglass_work = 0, bulk_viscosity_work = 0;
   };
 
-  [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Nodes<Real>& nodes, double dt) {
-    T least = T(std::numeric_limits<RealOf<T>>::max()), slowest = T(0.0);
+  [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Motion<RealOf<T>>& motion, double dt) {
+    T rate = T(0.0), slowest = T(0.0);
     T inverted_volume = T(1.0), inverted = T(0.0);
     T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
     Local<E> element = element_;
@@ -232,15 +251,20 @@ class RunningPart {
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
       Block& block = blocks_[b];
       State state = block.state;
-      const Nodal<T, E::nodes> x = gather_positions<T, n>(nodes.position(), block.nodes),
-                               v = gather<T, n>(nodes.velocity(), block.nodes);
-      const Response<T, E::nodes> response = element.advance(state, material, x, v, dt);
+      const Nodal<T, E::nodes> x = gather<T, n>(motion.position, block.nodes);
+      const Velocities v{motion.velocity, block.nodes};
+      const Response<T, E::nodes> response = [&] {
+        if constexpr (requires { element.advance(state, material, x, v, dt); })
+          return element.advance(state, material, x, v, dt);
+        else
+          return element.advance(state, material, x, Nodal<T, E::nodes>(v), dt);
+      }();
       block.state = state;
-      scatter_subtract<T, n>(response.force, nodes.force(), block.nodes, count(b));
+      scatter_subtract<T, n>(response.force, motion.force, block.nodes, count(b));
 
       const T number = T(static_cast<double>(b - patch.first_block));
-      slowest = select(response.stable_step < least, number, slowest);
-      least = min(response.stable_step, least);
+      slowest = select(rate < response.critical_rate, number, slowest);
+      rate = max(rate, response.critical_rate);
       const auto sound = response.volume > 0.0;
       inverted = select(sound, inverted, number);
       inverted_volume = select(sound, inverted_volume, response.volume);
@@ -255,8 +279,8 @@ class RunningPart {
       const auto element_of = [&](const T& block) {
         return std::min((patch.first_block + static_cast<std::size_t>(lane(block, l))) * width + l, size_ - 1);
       };
-      if (const double dt_l = static_cast<double>(lane(least, l)); dt_l < outcome.stable_step)
-        outcome.stable_step = dt_l, outcome.slowest = element_of(slowest);
+      if (const double rate_l = static_cast<double>(lane(rate, l)); outcome.critical_rate < rate_l)
+        outcome.critical_rate = rate_l, outcome.slowest = element_of(slowest);
       if (const double V_l = static_cast<double>(lane(inverted_volume, l)); !(V_l > 0))
         outcome.inverted_volume = V_l, outcome.inverted = element_of(inverted);
     }
@@ -270,12 +294,12 @@ class RunningPart {
   std::size_t place_of(std::size_t e) const {
     return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), e) - order_.begin());
   }
-  std::array<Index, n> cell(const Nodes<Real>& nodes, std::size_t p) const {
+  std::array<Index, n> cell(const Nodes& nodes, std::size_t p) const {
     std::array<Index, n> c;
     for (std::size_t i = 0; i < n; ++i) c[i] = nodes.number(blocks_[p / width].nodes[i][p % width]);
     return c;
   }
-  std::string describe_at(const Nodes<Real>& nodes, std::size_t p) const {
+  std::string describe_at(const Nodes& nodes, std::size_t p) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Index i : cell(nodes, p)) sum += nodes.x(i);
     return detail::joined({"element ", std::to_string(order_[p]), " of part ", std::to_string(number_), " at ",
@@ -306,7 +330,7 @@ class RunningPart {
   }
 
   /// An element so far from the origin that the spacing of the numbers there would strain it by more than a thousandth.
-  void check_resolution(const Nodes<Real>& nodes, std::size_t p) const {
+  void check_resolution(const Nodes& nodes, std::size_t p) const {
     const std::array<Index, n> c = cell(nodes, p);
     double spacing = 0, gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
@@ -321,7 +345,7 @@ class RunningPart {
                           detail::text(spacing), " apart; move the mesh to the origin or compute in double."}));
   }
 
-  [[noreturn, gnu::cold, gnu::noinline]] void explain_inversion(const Nodes<Real>& nodes, std::size_t p,
+  [[noreturn, gnu::cold, gnu::noinline]] void explain_inversion(const Nodes& nodes, std::size_t p,
                                                                 double volume) const {
     throw Error(detail::joined({describe_at(nodes, p), " is inverted (volume ", detail::text(volume),
                                 "); refine the mesh there, use a smaller step factor or let the material fail"}));

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -11,41 +10,54 @@
 
 namespace strike::detail {
 
-/// A range of blocks that one thread takes at a time, and the places of its ghosts.
+/// What one thread takes at a time: a range of blocks, the places of the nodes that no patch before it has, and those
+/// of its ghosts, which stand for its other nodes.
 struct Patch {
   std::size_t first_block, last_block;
+  Index first_node, last_node;
   Index first_ghost, last_ghost;
 };
 
-/// The patches of a part. A node belongs to the first patch that has it; the others have ghosts of it, so that all may
-/// be at work at once. The patches, and with them the order in which forces are summed, follow from the mesh alone.
+/// The patches of a part. None writes where another reads or writes, so that all may be at work at once. They, and with
+/// them the order in which forces are summed, follow from the mesh alone.
 class Patches {
+  template <class To, class From>
+  static void set_difference(Padded<To>& to, const Padded<From>& a, const Padded<From>& b) {
+    for (int c = 0; c < 4; ++c) to.x[c] = static_cast<To>(a.x[c] - b.x[c]);
+  }
+  template <class To, class From>
+  static void add(Padded<To>& to, const Padded<From>& a) {
+    for (int c = 0; c < 4; ++c) to.x[c] += static_cast<To>(a.x[c]);
+  }
+
  public:
   Patches() = default;
-  /// Cuts the blocks of `lanes` elements into patches and makes them name their ghosts.
-  template <class Block, class Real>
-  Patches(std::vector<Block>& blocks, std::size_t lanes, Nodes<Real>& nodes) : first_ghost_(nodes.places()) {
-    constexpr std::size_t smallest = 128, largest = 2048;  // elements: enough for a cache, or for some threads
-    constexpr Index none = std::numeric_limits<Index>::max();
+  /// Cuts the blocks of `lanes` elements into patches and makes them name their ghosts. Nodes lie in the order in which
+  /// elements name them; those that parts before have named have mass.
+  template <class Block, class N>
+  Patches(std::vector<Block>& blocks, std::size_t lanes, N& nodes) : first_ghost_(nodes.places()) {
+    constexpr std::size_t smallest = 128, largest = 2048;  // elements: some for each thread, or enough for its cache
     const std::size_t size = std::clamp(blocks.size() * lanes / 16, smallest, largest) / lanes;
-    std::vector<Index> owner(nodes.size(), none), user(nodes.size(), none), ghost(nodes.size());
+    Index first_node =
+        static_cast<Index>(std::find(nodes.mass().begin(), nodes.mass().end(), 0) - nodes.mass().begin());
+    std::vector<Index> ghost(nodes.size()), user(nodes.size());  // user: the patch that has the ghost, from 1
     for (std::size_t first = 0; first < blocks.size(); first += size) {
-      const Index patch = static_cast<Index>(patches_.size());
-      const std::size_t last = std::min(first + size, blocks.size());
-      const Index first_ghost = nodes.places();
-      for (std::size_t b = first; b < last; ++b)
+      Patch patch{first, std::min(first + size, blocks.size()), first_node, first_node, nodes.places(), 0};
+      for (std::size_t b = patch.first_block; b < patch.last_block; ++b)
         for (auto& corner : blocks[b].nodes)
           for (Index& place : corner) {
-            if (owner[place] == none) owner[place] = patch;
-            if (owner[place] == patch) continue;
-            if (user[place] != patch) {
-              user[place] = patch;
+            patch.last_node = std::max(patch.last_node, place + 1);
+            if (place >= first_node) continue;
+            if (user[place] <= patches_.size()) {
+              user[place] = static_cast<Index>(patches_.size() + 1);
               ghost[place] = nodes.add_ghost(place);
               sources_.push_back(place);
             }
             place = ghost[place];
           }
-      patches_.push_back({first, last, first_ghost, nodes.places()});
+      patch.last_ghost = nodes.places();
+      first_node = patch.last_node;
+      patches_.push_back(patch);
     }
     by_source_.resize(sources_.size());
     std::iota(by_source_.begin(), by_source_.end(), Index{0});
@@ -58,28 +70,34 @@ class Patches {
   std::size_t size() const { return patches_.size(); }
   const Patch& operator[](std::size_t p) const { return patches_[p]; }
 
-  /// Brings the ghosts of a patch to where their nodes are, and clears their forces.
-  template <class Real>
-  void refresh(const Patch& patch, Nodes<Real>& nodes) const {
-    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
-      const Index source = sources_[g - first_ghost_];
-      nodes.position()[g] = nodes.position()[source];
-      nodes.velocity()[g] = nodes.velocity()[source];
-      nodes.force()[g] = {};
-    }
+  /// Brings to a patch what its elements read, and clears what they write. A copy in lesser precision is relative to a
+  /// node of the patch, so that it is as good far from the origin: no element asks where it is.
+  template <class N>
+  void load(const Patch& patch, N& nodes) const {
+    auto& motion = nodes.motion();
+    const auto origin = this->origin(patch, nodes);
+    const auto copy = [&](Index from, Index to) {
+      set_difference(motion.position[to], nodes.position()[from], origin);
+      set_difference(motion.velocity[to], nodes.velocity()[from], {});
+      motion.force[to] = {};
+    };
+    if constexpr (N::elements_have_copy)
+      for (Index i = patch.first_node; i < patch.last_node; ++i) copy(i, i);
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) copy(sources_[g - first_ghost_], g);
   }
-
-  /// Adds the forces on the ghosts to those on their nodes, patch after patch.
-  template <class Real, class Execution>
-  void gather_forces(Nodes<Real>& nodes, const Execution& execution) const {
+  /// Adds the forces on a copy to those on the nodes.
+  template <class N>
+  void store(const Patch& patch, N& nodes) const {
+    if constexpr (N::elements_have_copy)
+      for (Index i = patch.first_node; i < patch.last_node; ++i) add(nodes.force()[i], nodes.motion().force[i]);
+  }
+  /// Adds the forces on the ghosts to those on the nodes, patch after patch.
+  template <class N, class Execution>
+  void store_ghosts(N& nodes, const Execution& execution) const {
     for_each_chunk(execution, groups_.size() - 1, [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) {
-        Padded<Real>& sum = nodes.force()[sources_[by_source_[groups_[k]]]];
-        for (Index i = groups_[k]; i < groups_[k + 1]; ++i) {
-          const Padded<Real>& f = nodes.force()[first_ghost_ + by_source_[i]];
-          for (int c = 0; c < 4; ++c) sum.x[c] += f.x[c];
-        }
-      }
+      for (std::size_t k = first; k < last; ++k)
+        for (Index i = groups_[k]; i < groups_[k + 1]; ++i)
+          add(nodes.force()[sources_[by_source_[i]]], nodes.motion().force[first_ghost_ + by_source_[i]]);
     });
   }
 
@@ -102,6 +120,16 @@ class Patches {
   }
 
  private:
+  template <class N>
+  auto origin(const Patch& patch, const N& nodes) const {
+    if constexpr (!N::elements_have_copy)
+      return std::decay_t<decltype(nodes.position()[0])>{};
+    else if (patch.first_node < patch.last_node)
+      return nodes.position()[patch.first_node];
+    else
+      return nodes.position()[sources_[patch.first_ghost - first_ghost_]];
+  }
+
   Index first_ghost_ = 0;
   std::vector<Patch> patches_;
   std::vector<Index> sources_;    // of each ghost, the place of its node

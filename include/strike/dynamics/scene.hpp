@@ -64,7 +64,7 @@ namespace detail {
 template <class Thing, class Numbers, class Bound>
 struct Running {
   using type = Thing;
-  static Thing start(Thing thing, Nodes<typename Numbers::NodeReal>&, std::vector<std::vector<Index>>&, std::size_t&) {
+  static Thing start(Thing thing, typename Numbers::Nodes&, std::vector<std::vector<Index>>&, std::size_t&) {
     return thing;
   }
 };
@@ -73,8 +73,8 @@ struct Running<Part<E, M, n>, Numbers, Bound> {
   using RunningElement = typename Bound::template Element<E, M>;
   using RunningMaterial = typename Bound::template Material<M>;
   using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, typename Numbers::NodeReal>;
-  static type start(Part<E, M, n> part, Nodes<typename Numbers::NodeReal>& nodes,
-                    std::vector<std::vector<Index>>& orders, std::size_t& number) {
+  static type start(Part<E, M, n> part, typename Numbers::Nodes& nodes, std::vector<std::vector<Index>>& orders,
+                    std::size_t& number) {
     const std::size_t mine = number++;
     return type(
         {RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)}, std::move(part.cells)},

@@ -1,17 +1,19 @@
 #pragma once
 #include <concepts>
 
+#include <strike/mesh/nodes.hpp>
+
 namespace strike {
 
 /// What bounds the stable step of a run.
 /// A model has
 /// - `Element<E, M>` and `Material<M>`: what parts work with instead of E and M so that the bound knows what it needs;
-/// - `Running<Real>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces of a
+/// - `Running<Nodes>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces of a
 /// step,
 ///   replaces the least stable step of all elements by a larger one that is as safe.
 template <class B>
 concept StepBound = std::copyable<B> && requires {
-  typename B::template Running<double>;
+  typename B::template Running<Nodes<double>>;
 };
 
 /// The least stable step of all elements: what a run takes unless told otherwise.
@@ -21,10 +23,10 @@ struct ElementStep {
   template <class M>
   using Material = M;
 
-  template <class Real>
+  template <class Nodes>
   struct Running {
     explicit Running(ElementStep) {}
-    template <class Stable, class Nodes, class Things, class Execution>
+    template <class Stable, class Things, class Execution>
     void extend(Stable&, Nodes&, Things&, const Execution&) {}
   };
 };

@@ -17,7 +17,7 @@ template <class T, int n>
 struct Response {
   Nodal<T, n> force;      ///< on the element's nodes that deform it, B sigma: the mesh feels its negative
   T volume;               ///< at the end of the step; not positive: the element is inverted
-  T stable_step;          ///< the largest step that this element alone allows next
+  T critical_rate;        ///< one over the largest step that this element alone allows next
   T internal_work;        ///< done on the material in the step
   T hourglass_work;       ///< done against the hourglass control
   T bulk_viscosity_work;  ///< dissipated by the bulk viscosity

@@ -53,11 +53,12 @@ struct Hex8 {
     return (0.125 * material.density()) * V;
   }
 
-  template <class M, class T>
-  Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
+  /// `Velocities` are nodal, or become so where they are needed, so that they do not wait in registers.
+  template <class M, class T, class Velocities>
+  Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v,
                          double dt) const {
     // Statements stand in an order in which the long chains of dependent operations (roots, quotients) run beside
-    // others.
+    // others, and few numbers wait.
     const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T& V = g.volume;
@@ -96,7 +97,7 @@ struct Hex8 {
           rho,  V, T((1.0 / material.density()) * state.inverse_volume), before.wave(), before.shear, stability.trace,
           T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
-        const Vector3<T> rate_k = u_k - times(L, m_k);
+        const Vector3<T> rate_k = minus_times(u_k, L, m_k);
         if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
           return rate_k;
         else
@@ -129,9 +130,9 @@ struct Hex8 {
     const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
     const Vibration<T> vibration = stability.vibration(material, after, zeta);
     if constexpr (controlled)
-      response.stable_step = 1.0 / critical_rate(vibration, hourglass_rate, hourglass_overlap);
+      response.critical_rate = critical_rate(vibration, hourglass_rate, hourglass_overlap);
     else
-      response.stable_step = 1.0 / vibration.critical_rate();
+      response.critical_rate = vibration.critical_rate();
 
     P = T(1.0 / 64.0) * P;
     response.force = to_nodes<T>({times(P, g.a1), times(P, g.a2), times(P, g.a3), Q[0] + times(P, g.b1),

@@ -118,7 +118,7 @@ struct Hex8Full {
     response.force = to_nodes(F);
 
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
-    response.stable_step = 1.0 / stability.vibration(material, moduli, zeta).critical_rate();
+    response.critical_rate = stability.vibration(material, moduli, zeta).critical_rate();
     if constexpr (requires { material.intact(state.material[0]); }) silence(intact > 0.0, response);
     return response;
   }

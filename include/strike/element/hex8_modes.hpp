@@ -15,9 +15,8 @@ struct Hex8Modes {
 /// Nodes to modes: a butterfly along each direction, 23 additions a component.
 template <class T>
 Hex8Modes<T> to_modes(const Nodal<T, 8>& x) {
-  const auto node = [&](int I) { return Vector3<T>{x(0, I), x(1, I), x(2, I)}; };
-  const Vector3<T> x0 = node(0), x1 = node(1), x2 = node(2), x3 = node(3), x4 = node(4), x5 = node(5), x6 = node(6),
-                   x7 = node(7);
+  const Vector3<T> x0 = column(x, 0), x1 = column(x, 1), x2 = column(x, 2), x3 = column(x, 3), x4 = column(x, 4),
+                   x5 = column(x, 5), x6 = column(x, 6), x7 = column(x, 7);
   const Vector3<T> s01 = x1 + x0, d01 = x1 - x0, s32 = x2 + x3, d32 = x2 - x3;
   const Vector3<T> s45 = x5 + x4, d45 = x5 - x4, s76 = x6 + x7, d76 = x6 - x7;
   const Vector3<T> sb = s32 + s01, st = s76 + s45, eb = s32 - s01, et = s76 - s45;
@@ -33,9 +32,8 @@ Nodal<T, 8> to_nodes(const Hex8Modes<T>& F) {
   const Vector3<T> d76 = xt + ht, d45 = xt - ht, d32 = xb + hb, d01 = xb - hb;
   const Vector3<T> s76 = F.a3 + et, s45 = F.a3 - et, s32 = eb - F.a3, s01 = -F.a3 - eb;
   Nodal<T, 8> f;
-  const auto put = [&](int I, const Vector3<T>& f_I) { f(0, I) = f_I(0), f(1, I) = f_I(1), f(2, I) = f_I(2); };
-  put(0, s01 - d01), put(1, s01 + d01), put(2, s32 + d32), put(3, s32 - d32);
-  put(4, s45 - d45), put(5, s45 + d45), put(6, s76 + d76), put(7, s76 - d76);
+  set_column(f, 0, s01 - d01), set_column(f, 1, s01 + d01), set_column(f, 2, s32 + d32), set_column(f, 3, s32 - d32);
+  set_column(f, 4, s45 - d45), set_column(f, 5, s45 + d45), set_column(f, 6, s76 + d76), set_column(f, 7, s76 - d76);
   return f;
 }
 

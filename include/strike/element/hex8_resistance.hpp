@@ -33,7 +33,7 @@ struct Hex8Resistance {
     const T per_volume = 1.0 / g.volume;
     const Matrix3<T> L = g.gradient_of(u, per_volume);
     const auto against = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
-      return hourglass * Vector3<T>(u_k - times(L, m_k));
+      return hourglass * minus_times(u_k, L, m_k);
     };
     const HourglassModes<T> Q{against(u.b1, m.b1), against(u.b2, m.b2), against(u.b3, m.b3), against(u.d, m.d)};
     Matrix3<T> Qm = outer(Q[0], m.b1);

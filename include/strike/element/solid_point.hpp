@@ -1,6 +1,4 @@
 #pragma once
-#include <limits>
-
 #include <strike/element/element.hpp>
 
 namespace strike {
@@ -44,7 +42,7 @@ template <class Flag, class T, int n>
 void silence(const Flag& intact, Response<T, n>& response) {
   response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();
   response.volume = select(intact, response.volume, T(1.0));
-  response.stable_step = select(intact, response.stable_step, T(std::numeric_limits<RealOf<T>>::max()));
+  response.critical_rate = select(intact, response.critical_rate, T(0.0));
   response.internal_work = select(intact, response.internal_work, T(0.0));
   response.hourglass_work = select(intact, response.hourglass_work, T(0.0));
   response.bulk_viscosity_work = select(intact, response.bulk_viscosity_work, T(0.0));

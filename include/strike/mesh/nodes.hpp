@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -65,21 +66,31 @@ struct alignas(4 * sizeof(Real)) Padded {
   Real x[4]{};
 };
 
-/// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass. They
-/// are kept in Real and told and given in double. Node i lies in memory at place(i), chosen for locality.
+/// A vector for each place.
 template <class Real>
+using NodalField = std::vector<Padded<Real>>;
+
+/// What elements read and write: positions, velocities and forces, place by place.
+template <class Real>
+struct Motion {
+  NodalField<Real> position, velocity, force;
+
+  explicit Motion(std::size_t places = 0) : position(places), velocity(places), force(places) {}
+  void add_place() { position.emplace_back(), velocity.emplace_back(), force.emplace_back(); }
+};
+
+/// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass. They
+/// are kept in Real and told and given in double. Node i lies in memory at place(i), chosen for locality. Elements work
+/// on `motion()` of ElementReal: the nodes' own, or if that is of another precision a copy.
+template <class Real, class ElementReal = Real>
 class Nodes {
  public:
-  using Field = std::vector<Padded<Real>>;
+  static constexpr bool elements_have_copy = !std::is_same_v<Real, ElementReal>;
 
   /// `order` names every node once, in the order of their places.
   Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order)
-      : position_(X.size()),
-        velocity_(X.size()),
-        force_(X.size()),
-        mass_(X.size()),
-        number_(std::move(order)),
-        place_(X.size()) {
+      : own_(X.size()), mass_(X.size()), number_(std::move(order)), place_(X.size()) {
+    if constexpr (elements_have_copy) copy_ = Motion<ElementReal>(X.size());
     for (std::size_t k = 0; k < number_.size(); ++k) place_[number_[k]] = static_cast<Index>(k);
     for (std::size_t i = 0; i < X.size(); ++i) set_position(i, X[i]);
   }
@@ -87,14 +98,14 @@ class Nodes {
   std::size_t size() const { return mass_.size(); }
 
   // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
-  const Eigen::Vector3d x(std::size_t i) const { return told(position_[place_[i]]); }
-  const Eigen::Vector3d v(std::size_t i) const { return told(velocity_[place_[i]]); }
-  const Eigen::Vector3d f(std::size_t i) const { return told(force_[place_[i]]); }
+  const Eigen::Vector3d x(std::size_t i) const { return told(own_.position[place_[i]]); }
+  const Eigen::Vector3d v(std::size_t i) const { return told(own_.velocity[place_[i]]); }
+  const Eigen::Vector3d f(std::size_t i) const { return told(own_.force[place_[i]]); }
   double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
 
-  void set_position(std::size_t i, const Eigen::Vector3d& x) { set(position_[place_[i]], x); }
-  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { set(velocity_[place_[i]], v); }
-  void add_force(std::size_t i, const Eigen::Vector3d& change) { set(force_[place_[i]], f(i) + change); }
+  void set_position(std::size_t i, const Eigen::Vector3d& x) { set(own_.position[place_[i]], x); }
+  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { set(own_.velocity[place_[i]], v); }
+  void add_force(std::size_t i, const Eigen::Vector3d& change) { set(own_.force[place_[i]], f(i) + change); }
   void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Real>(m); }
 
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
@@ -116,10 +127,10 @@ class Nodes {
            std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }
 
-  /// Gives the node at a place a second place behind all others, where a patch of elements has a copy of it to itself.
+  /// Gives the node at a place another place behind all others, where a patch of elements has it to itself.
   Index add_ghost(Index place) {
     const Index ghost = places();
-    for (Field* field : {&position_, &velocity_, &force_}) field->emplace_back();
+    motion().add_place();
     number_.push_back(number_[place]);
     return ghost;
   }
@@ -130,13 +141,19 @@ class Nodes {
   Index place(std::size_t i) const { return place_[i]; }
   Index number(std::size_t place) const { return number_[place]; }
 
-  // The fields, place by place.
-  Field& position() { return position_; }
-  Field& velocity() { return velocity_; }
-  Field& force() { return force_; }
-  const Field& position() const { return position_; }
-  const Field& velocity() const { return velocity_; }
-  const Field& force() const { return force_; }
+  NodalField<Real>& position() { return own_.position; }
+  NodalField<Real>& velocity() { return own_.velocity; }
+  NodalField<Real>& force() { return own_.force; }
+  const NodalField<Real>& position() const { return own_.position; }
+  const NodalField<Real>& velocity() const { return own_.velocity; }
+  const NodalField<Real>& force() const { return own_.force; }
+  /// What elements work on.
+  Motion<ElementReal>& motion() {
+    if constexpr (elements_have_copy)
+      return copy_;
+    else
+      return own_;
+  }
   const std::vector<Real>& mass() const { return mass_; }
 
  private:
@@ -147,7 +164,10 @@ class Nodes {
     for (int c = 0; c < 3; ++c) a.x[c] = static_cast<Real>(value(c));
   }
 
-  Field position_, velocity_, force_;
+  struct None {};
+
+  Motion<Real> own_;
+  [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal>, None> copy_;
   std::vector<Real> mass_;
   std::vector<Index> number_, place_;
   detail::HeldDirections held_;

@@ -70,10 +70,28 @@ Matrix3<T> columns(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c
   return detail::by_component<T, 3>([&](int i) -> T { return i < 3 ? a(i) : i < 6 ? b(i - 3) : c(i - 6); });
 }
 
+template <class T, int n>
+Vector3<T> column(const Eigen::Matrix<T, 3, n>& A, std::size_t j) {
+  const int i = static_cast<int>(j);
+  return {A(0, i), A(1, i), A(2, i)};
+}
+template <class T, int n>
+void set_column(Eigen::Matrix<T, 3, n>& A, std::size_t j, const Vector3<T>& a) {
+  const int i = static_cast<int>(j);
+  A(0, i) = a(0), A(1, i) = a(1), A(2, i) = a(2);
+}
+
 /// A x.
 template <class T>
 Vector3<T> times(const Matrix3<T>& A, const Vector3<T>& x) {
   return detail::by_component<T, 1>([&](int i) -> T { return A(i, 0) * x(0) + A(i, 1) * x(1) + A(i, 2) * x(2); });
+}
+
+/// y - A x.
+template <class T>
+Vector3<T> minus_times(const Vector3<T>& y, const Matrix3<T>& A, const Vector3<T>& x) {
+  return detail::by_component<T, 1>(
+      [&](int i) -> T { return y(i) - A(i, 0) * x(0) - A(i, 1) * x(1) - A(i, 2) * x(2); });
 }
 
 /// a (x) b.

@@ -94,7 +94,7 @@ class SingleElement {
     record_.stress = mean_stress();
     record_.force = response.force;
     record_.volume = response.volume;
-    record_.stable_step = response.stable_step;
+    record_.stable_step = 1 / response.critical_rate;
   }
 
   /// Moves the nodes at the velocities v for the time dt.
@@ -104,7 +104,7 @@ class SingleElement {
     const auto response = element_.advance(state_, material_, record_.x, v, dt);
     record_.stress = mean_stress();
     record_.volume = response.volume;
-    record_.stable_step = response.stable_step;
+    record_.stable_step = 1 / response.critical_rate;
     record_.internal += response.internal_work;
     record_.hourglass += response.hourglass_work;
     record_.bulk_viscosity += response.bulk_viscosity_work;

@@ -154,12 +154,12 @@ SymmetricTensor<T> advance_deviator(const S& law, State& state, const SymmetricT
                                     const SymmetricTensor<T>& d, double dt) {
   if constexpr (FlowLaw<S>) {
     const SymmetricTensor<T> trial = s + T(2.0 * law.shear_modulus) * d;
-    const T q = equivalent_stress(trial);
-    const T dl = plastic_increment<S, T>(law, state, q, dt);
-    const T returned = q - 3.0 * law.shear_modulus * dl;
+    const T q_squared = max(T(std::numeric_limits<RealOf<T>>::min()), 1.5 * double_dot(trial, trial));
+    const T per_q = rsqrt(q_squared), q = q_squared * per_q;
+    const T dl = plastic_increment<S, T>(law, state, q, dt), relaxed = 3.0 * law.shear_modulus * dl;
     state.equivalent_plastic_strain += dl;
-    if constexpr (ThermalFlow<S>) state.temperature_rise += law.heating * returned * dl;
-    return select(dl > 0.0, returned / q, T(1.0)) * trial;
+    if constexpr (ThermalFlow<S>) state.temperature_rise += law.heating * (q - relaxed) * dl;
+    return (1.0 - relaxed * per_q) * trial;
   } else {
     return (void)state, (void)dt, law.deviatoric_stress(s, d);
   }
