@@ -1,4 +1,4 @@
-// expect: GlobalStep needs an element with resistance(state, material, x, v, dt)
+// expect: for GlobalStep{} give it resistance(state, material, x, v, dt), as Hex8 has it
 #include <strike/strike.hpp>
 
 using namespace strike;

@@ -353,9 +353,14 @@ class Explicit {
   double end_ = std::numeric_limits<double>::infinity();
 };
 
-/// A scene that the compiler has already complained about gets no second complaint.
+/// A scene that the compiler complains about gets no second complaint.
 template <class Numbers, class Execution, class Bound, class... Things>
-requires(!Scene<Things...>::sound || !Numbers::is_scalar) class Explicit<Numbers, Execution, Bound, Things...> {
+requires(!Scene<Things...>::sound || !Numbers::is_scalar ||
+         !detail::is_bounded<Bound, Things...>) class Explicit<Numbers, Execution, Bound, Things...> {
+  static_assert(!Scene<Things...>::sound || detail::is_bounded<Bound, Things...>,
+                "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
+                "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
+
  public:
   explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {}
   void step() {}

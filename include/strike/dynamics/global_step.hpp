@@ -44,32 +44,17 @@ concept Resisting = requires(const E e, typename E::template State<M, double> st
                              const Nodal<double, E::nodes> x) {
   { e.resistance(state, m, x, x, 1.0)(x, x) } -> std::convertible_to<Nodal<double, E::nodes>>;
 };
-struct NoResistance {};
-template <class E, class T>
-struct ResistanceOf {
-  using type = NoResistance;
-};
-template <class E, class T>
-requires requires { typename E::template Resistance<T>; }
-struct ResistanceOf<E, T> {
-  using type = typename E::template Resistance<T>;
-};
 
 /// An element that knows its mass, the step that it allows alone, and what it was when the mesh was last asked.
-template <class E, class M>
+template <class E>
 struct Bounded : E {
-  static constexpr bool sound = Resisting<E, M>;
-  static_assert(sound,
-                "strike: GlobalStep needs an element with resistance(state, material, x, v, dt), such as Hex8; give "
-                "yours one (see strike/element/hex8.hpp) or leave the step to ElementStep.");
-
   template <class W, class T>
   struct State : E::template State<W, T> {
     T nodal_mass{};
     T own_rate{};         ///< one over the step that it allows alone, at the last step
     T rate_when_asked{};  ///< the same when the mesh was last asked; 0: was not among those asked
     T strain_when_asked{};
-    typename ResistanceOf<E, T>::type resistance{};
+    typename E::template Resistance<T> resistance{};
 
     /// Not less than what any of its points has been strained.
     T strain() const {
@@ -152,10 +137,12 @@ struct GlobalStep {
                             ///< share s of them s^(2/3) of that, for they cost less. The step loses about half of it.
   double price = 0.5;       ///< of an iteration with all elements, in steps
 
-  template <class E, class M>
-  using Element = detail::Bounded<E, M>;
+  template <class E>
+  using Element = detail::Bounded<E>;
   template <class M>
   using Material = detail::Watched<M>;
+  template <class E, class M>
+  static constexpr bool suits = detail::Resisting<E, M>;
   template <class Nodes>
   class Running;
 };
@@ -283,10 +270,9 @@ class GlobalStep::Running {
     if (!any(state.rate_when_asked > 0.0)) return 0;
 
     state.strain_when_asked = state.strain();
-    if constexpr (std::decay_t<decltype(part.element())>::sound)
-      state.resistance =
-          part.element().resistance(state, part.material(), gather<T, Part::n>(nodes.motion().position, corners),
-                                    gather<T, Part::n>(nodes.motion().velocity, corners), dt);
+    state.resistance =
+        part.element().resistance(state, part.material(), gather<T, Part::n>(nodes.motion().position, corners),
+                                  gather<T, Part::n>(nodes.motion().velocity, corners), dt);
     std::size_t count = 0;
     for (std::size_t l = 0; l < part.count(b); ++l)
       if (lane(state.rate_when_asked, l) > 0) {
@@ -365,12 +351,10 @@ class GlobalStep::Running {
       const auto& [corners, state] = part.blocks()[b];
       const auto asked = state.rate_when_asked > 0.0;
       if (!any(asked)) continue;
-      if constexpr (std::decay_t<decltype(part.element())>::sound) {
-        const Nodal<T, static_cast<int>(n)> f =
-            state.resistance(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q_, corners));
-        scatter_subtract<T, n>(f.unaryExpr([&](const T& f_i) -> T { return select(asked, f_i, T(0.0)); }), resistance_,
-                               corners, part.count(b));
-      }
+      const Nodal<T, static_cast<int>(n)> f =
+          state.resistance(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q_, corners));
+      scatter_subtract<T, n>(f.unaryExpr([&](const T& f_i) -> T { return select(asked, f_i, T(0.0)); }), resistance_,
+                             corners, part.count(b));
     }
   }
 

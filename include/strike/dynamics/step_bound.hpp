@@ -7,7 +7,8 @@ namespace strike {
 
 /// What bounds the stable step of a run.
 /// A model has
-/// - `Element<E, M>` and `Material<M>`: what parts work with instead of E and M so that the bound knows what it needs;
+/// - `Element<E>` and `Material<M>`: what parts work with instead of E and M so that the bound knows what it needs,
+///   and whether that `suits<E, M>`;
 /// - `Running<Nodes>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces of a
 /// step,
 ///   replaces the least stable step of all elements by a larger one that is as safe.
@@ -18,10 +19,12 @@ concept StepBound = std::copyable<B> && requires {
 
 /// The least stable step of all elements: what a run takes unless told otherwise.
 struct ElementStep {
-  template <class E, class M>
+  template <class E>
   using Element = E;
   template <class M>
   using Material = M;
+  template <class E, class M>
+  static constexpr bool suits = true;
 
   template <class Nodes>
   struct Running {
