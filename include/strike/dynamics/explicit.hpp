@@ -339,7 +339,7 @@ class Explicit {
 
   ExplicitOptions options_;
   Execution execution_;
-  [[no_unique_address]] typename Bound::template Running<Nodes> bound_;
+  [[no_unique_address]] typename Bound::template Running<Nodes, Running> bound_;
   Nodes nodes_;
   Running things_;
   std::vector<double> kinetic_;  // twice the kinetic energy of each chunk of nodes

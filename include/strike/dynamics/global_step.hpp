@@ -45,16 +45,12 @@ concept Resisting = requires(const E e, typename E::template State<M, double> st
   { e.resistance(state, m, x, x, 1.0)(x, x) } -> std::convertible_to<Nodal<double, E::nodes>>;
 };
 
-/// An element that knows its mass, the step that it allows alone, and what it was when the mesh was last asked.
+/// An element that remembers its critical rate, one over the step that it allows alone.
 template <class E>
 struct Bounded : E {
   template <class W, class T>
   struct State : E::template State<W, T> {
-    T nodal_mass{};
-    T own_rate{};         ///< one over the step that it allows alone, at the last step
-    T rate_when_asked{};  ///< the same when the mesh was last asked; 0: was not among those asked
-    T strain_when_asked{};
-    typename E::template Resistance<T> resistance{};
+    T own_rate{};
 
     /// Not less than what any of its points has been strained.
     T strain() const {
@@ -62,18 +58,8 @@ struct Bounded : E {
       this->each_point([&](const auto& point) { sum += point.watched_strain; });
       return sum;
     }
-    /// One over the step that it allows in a mesh whose bound was this rate: that has grown as its own, and by what its
-    /// shape may have lost.
-    T rate_with(const T& bound) const {
-      const T left = max(T(0.0), 1.0 - (strain() - strain_when_asked));
-      return select(rate_when_asked > 0.0, bound * max(T(1.0), own_rate / rate_when_asked) / left, own_rate);
-    }
   };
 
-  template <class W, class T>
-  T begin(State<W, T>& state, const W& material, const Nodal<T, E::nodes>& x) const {
-    return state.nodal_mass = E::begin(state, material, x);
-  }
   template <class W, class T, class Velocities>
   auto advance(State<W, T>& state, const W& material, const Nodal<T, E::nodes>& x, const Velocities& v, double dt) const
       -> decltype(std::declval<const E&>().advance(state, material, x, v, dt)) {
@@ -82,6 +68,35 @@ struct Bounded : E {
     return response;
   }
 };
+
+/// What a block of elements was when the mesh was last asked.
+template <class E, class T>
+struct AskedBlock {
+  T rate{};  ///< the own one; 0: was not among those asked
+  T strain{};
+  typename E::template Resistance<T> resistance{};
+
+  /// The critical rate now in a mesh whose own was then `bound`: that has grown as the element's, and by what its shape
+  /// may have lost.
+  template <class State>
+  T critical_rate(const State& now, double bound) const {
+    const T left = max(T(0.0), 1.0 - (now.strain() - strain));
+    return select(rate > 0.0, bound * max(T(1.0), now.own_rate / rate) / left, now.own_rate);
+  }
+};
+struct NoPart {};
+template <class Thing>
+struct AskedBlocksOf {
+  using type = NoPart;
+};
+template <class E, class M, class T, class Real>
+struct AskedBlocksOf<RunningPart<E, M, T, Real>> {
+  using type = std::vector<AskedBlock<E, T>>;
+};
+template <class Things>
+struct AskedBlocks;
+template <class... Things>
+struct AskedBlocks<std::tuple<Things...>> : std::tuple<typename AskedBlocksOf<Things>::type...> {};
 
 /// The largest eigenvalue of the symmetric tridiagonal matrix of these diagonals, from above to rounding: no pivot of T
 /// - x I is positive for x above it (Sturm).
@@ -143,17 +158,17 @@ struct GlobalStep {
   using Material = detail::Watched<M>;
   template <class E, class M>
   static constexpr bool suits = detail::Resisting<E, M>;
-  template <class Nodes>
+  template <class Nodes, class Things>
   class Running;
 };
 
 /// The bound at work.
-template <class Nodes>
+template <class Nodes, class Things>
 class GlobalStep::Running {
  public:
   explicit Running(const GlobalStep& policy) : policy_(policy) {}
 
-  template <class Things, class Execution>
+  template <class Execution>
   void extend(StableStep& stable, Nodes& nodes, Things& things, const Execution& execution) {
     const double own = stable.dt;
     stable.dt = std::max(own, allowed_step(things, execution));
@@ -175,30 +190,28 @@ class GlobalStep::Running {
   using Vector = typename Field::value_type;
   using Real = std::decay_t<decltype(Vector{}.x[0])>;
 
-  template <class Things, class F>
-  static void each_part(Things& things, const F& f) {
-    const auto visit = [&](auto& thing) {
-      if constexpr (requires { thing.patches(); }) f(thing);
+  /// f(part, its blocks when they were asked).
+  template <class F>
+  void each_part(Things& things, const F& f) {
+    const auto visit = [&](auto& thing, auto& asked) {
+      if constexpr (!std::is_same_v<std::decay_t<decltype(asked)>, detail::NoPart>) f(thing, asked);
     };
-    std::apply([&](auto&... thing) { (visit(thing), ...); }, things);
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (visit(std::get<i>(things), std::get<i>(blocks_)), ...); }
+    (std::make_index_sequence<std::tuple_size_v<Things>>{});
   }
-  template <class Part>
-  using NumberOf = std::decay_t<decltype(std::declval<Part>().blocks()[0].state.own_rate)>;
 
   /// What the mesh allows as it stands: of those asked what is left of their bound, of the others their own.
-  template <class Things, class Execution>
+  template <class Execution>
   double allowed_step(Things& things, const Execution& execution) {
     double rate = 0;
-    each_part(things, [&](auto& part) {
-      using T = NumberOf<decltype(part)>;
+    each_part(things, [&](auto& part, auto& asked) {
+      asked.resize(part.blocks().size());
       sums_.resize(part.patches().size());
       execution.for_each(sums_.size(), [&](std::size_t p) {
         const detail::Patch& patch = part.patches()[p];
-        T largest = T(0.0);
-        for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
-          const T rate_b = part.blocks()[b].state.rate_with(T(1 / bound_));
-          largest = max(largest, rate_b);
-        }
+        auto largest = asked[patch.first_block].critical_rate(part.blocks()[patch.first_block].state, 1 / bound_);
+        for (std::size_t b = patch.first_block + 1; b < patch.last_block; ++b)
+          largest = max(largest, asked[b].critical_rate(part.blocks()[b].state, 1 / bound_));
         sums_[p] = static_cast<double>(reduce_max(largest));
       });
       for (const double largest : sums_) rate = std::max(rate, largest);
@@ -207,7 +220,7 @@ class GlobalStep::Running {
   }
 
   /// Finds the bound anew; `own` is the least step of an element.
-  template <class Things, class Execution>
+  template <class Execution>
   void ask(double own, Nodes& nodes, Things& things, const Execution& execution) {
     const double dt = hope_ * own;  // near what will be found, for damping scales otherwise than stiffness
     const double share = choose(1.2 * dt, dt, nodes, things);
@@ -222,11 +235,10 @@ class GlobalStep::Running {
 
   /// Chooses whom to ask: the elements whose own step is below `target`, and their neighbours. They have only their own
   /// masses, so that the others are safe with theirs. Returns the share of those chosen.
-  template <class Things>
   double choose(double target, double dt, Nodes& nodes, Things& things) {
     std::vector<bool> near(nodes.size());
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
-    each_part(things, [&](auto& part) {
+    each_part(things, [&](const auto& part, const auto&) {
       for (std::size_t b = 0; b < part.blocks().size(); ++b) {
         const auto& [corners, state] = part.blocks()[b];
         for (std::size_t l = 0; l < part.count(b); ++l)
@@ -238,12 +250,12 @@ class GlobalStep::Running {
     std::size_t chosen = 0, all = 0;
     mass_.assign(nodes.size(), 0);
     patches_.clear();
-    each_part(things, [&](auto& part) {
+    each_part(things, [&](auto& part, auto& asked) {
       auto& mine = patches_.emplace_back();
       for (std::size_t p = 0; p < part.patches().size(); ++p) {
         const std::size_t before = chosen;
         for (std::size_t b = part.patches()[p].first_block; b < part.patches()[p].last_block; ++b)
-          chosen += choose_in(part, b, dt, nodes, near);
+          chosen += choose_in(part, asked[b], b, dt, nodes, near);
         if (chosen > before) mine.push_back(p);
       }
       all += part.size();
@@ -255,36 +267,36 @@ class GlobalStep::Running {
   }
 
   /// The same in block b; what has failed, and has no rate, is not asked.
-  template <class Part>
-  std::size_t choose_in(Part& part, std::size_t b, double dt, Nodes& nodes, const std::vector<bool>& near) {
-    using T = NumberOf<Part>;
-    auto& state = part.blocks()[b].state;
+  template <class Part, class E, class T>
+  std::size_t choose_in(const Part& part, detail::AskedBlock<E, T>& asked, std::size_t b, double dt, Nodes& nodes,
+                        const std::vector<bool>& near) {
     const auto& corners = part.blocks()[b].nodes;
+    const auto& state = part.blocks()[b].state;
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
     const auto is_near = [&](std::size_t l) {
       return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) { return near[place(corner[l])]; });
     };
-    state.rate_when_asked = T(0.0);
+    asked.rate = T(0.0);
     for (std::size_t l = 0; l < lanes<T>; ++l)
-      if (is_near(l)) set_lane(state.rate_when_asked, l, lane(state.own_rate, l));
-    if (!any(state.rate_when_asked > 0.0)) return 0;
+      if (is_near(l)) set_lane(asked.rate, l, lane(state.own_rate, l));
+    if (!any(asked.rate > 0.0)) return 0;
 
-    state.strain_when_asked = state.strain();
-    state.resistance =
+    asked.strain = state.strain();
+    asked.resistance =
         part.element().resistance(state, part.material(), gather<T, Part::n>(nodes.motion().position, corners),
                                   gather<T, Part::n>(nodes.motion().velocity, corners), dt);
     std::size_t count = 0;
     for (std::size_t l = 0; l < part.count(b); ++l)
-      if (lane(state.rate_when_asked, l) > 0) {
+      if (lane(asked.rate, l) > 0) {
         ++count;
-        for (const auto& corner : corners) mass_[place(corner[l])] += lane(state.nodal_mass, l);
+        for (const auto& corner : corners) mass_[place(corner[l])] += lane(asked.resistance.mass, l);
       }
     return count;
   }
 
   /// The largest eigenvalue of those asked over their masses as so many steps of Lanczos's iteration know it, from
   /// below. With the vectors q over the masses:  b q_next = A q/m - a q - b_before q_before,  a = q.A q,  |q| = 1.
-  template <class Things, class Execution>
+  template <class Execution>
   double lanczos(std::size_t steps, Nodes& nodes, Things& things, const Execution& execution) {
     for (Field* field : {&q_, &q_before_, &resistance_}) field->assign(nodes.places(), {});
     for (const Index i : places_)
@@ -331,28 +343,28 @@ class GlobalStep::Running {
   }
 
   /// resistance -= A q.
-  template <class Things, class Execution>
+  template <class Execution>
   void resist(Nodes& nodes, Things& things, const Execution& execution) {
     ++products_;
     auto patches = patches_.begin();
-    each_part(things, [&](auto& part) {
+    each_part(things, [&](const auto& part, const auto& asked) {
       execution.for_each(patches->size(),
-                         [&, &mine = *patches](std::size_t k) { resist(part, part.patches()[mine[k]], nodes); });
+                         [&, &mine = *patches](std::size_t k) { resist(part, asked, part.patches()[mine[k]], nodes); });
       for (const std::size_t p : *patches) part.patches().gather(part.patches()[p], resistance_);
       ++patches;
     });
   }
-  template <class Part>
-  void resist(const Part& part, const detail::Patch& patch, Nodes& nodes) {
-    using T = NumberOf<Part>;
+  template <class Part, class E, class T>
+  [[gnu::flatten]] void resist(const Part& part, const std::vector<detail::AskedBlock<E, T>>& blocks,
+                               const detail::Patch& patch, Nodes& nodes) {
     constexpr std::size_t n = Part::n;
     part.patches().refresh(patch, q_, resistance_);
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
-      const auto& [corners, state] = part.blocks()[b];
-      const auto asked = state.rate_when_asked > 0.0;
+      const auto asked = blocks[b].rate > 0.0;
       if (!any(asked)) continue;
+      const auto& corners = part.blocks()[b].nodes;
       const Nodal<T, static_cast<int>(n)> f =
-          state.resistance(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q_, corners));
+          blocks[b].resistance(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q_, corners));
       scatter_subtract<T, n>(f.unaryExpr([&](const T& f_i) -> T { return select(asked, f_i, T(0.0)); }), resistance_,
                              corners, part.count(b));
     }
@@ -363,6 +375,7 @@ class GlobalStep::Running {
   double hope_ = 1.3;                                        // what that may be over the least of their own
   double lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // [steps]
   std::size_t asked_ = 0, products_ = 0;
+  detail::AskedBlocks<Things> blocks_;
   std::vector<std::vector<std::size_t>> patches_;  // of each part, those with elements that are asked
   std::vector<Index> places_;                      // of their nodes
   std::vector<Real> mass_;                         // place by place, of those asked alone

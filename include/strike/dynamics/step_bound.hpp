@@ -1,5 +1,6 @@
 #pragma once
 #include <concepts>
+#include <tuple>
 
 #include <strike/mesh/nodes.hpp>
 
@@ -9,12 +10,12 @@ namespace strike {
 /// A model has
 /// - `Element<E>` and `Material<M>`: what parts work with instead of E and M so that the bound knows what it needs,
 ///   and whether that `suits<E, M>`;
-/// - `Running<Nodes>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces of a
-/// step,
+/// - `Running<Nodes, Things>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces
+/// of a step,
 ///   replaces the least stable step of all elements by a larger one that is as safe.
 template <class B>
 concept StepBound = std::copyable<B> && requires {
-  typename B::template Running<Nodes<double>>;
+  typename B::template Running<Nodes<double>, std::tuple<>>;
 };
 
 /// The least stable step of all elements: what a run takes unless told otherwise.
@@ -26,10 +27,10 @@ struct ElementStep {
   template <class E, class M>
   static constexpr bool suits = true;
 
-  template <class Nodes>
+  template <class Nodes, class Things>
   struct Running {
     explicit Running(ElementStep) {}
-    template <class Stable, class Things, class Execution>
+    template <class Stable, class Execution>
     void extend(Stable&, Nodes&, Things&, const Execution&) {}
   };
 };

@@ -157,7 +157,8 @@ struct Hex8 {
     const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / material.density()) * J};
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()),
                                               trace(rate.rate_of_deformation));
-    Hex8Resistance<T> resistance = Hex8Resistance<T>::in_step(material, moduli, zeta, dt);
+    Hex8Resistance<T> resistance =
+        Hex8Resistance<T>::in_step(material, moduli, zeta, T(0.125 * material.density() / state.inverse_volume), dt);
     if constexpr (controlled) {
       const T rho = material.density() / J;
       const T r = dt * hourglass.critical_rate(HourglassElement<T>{rho, g.volume, per_volume / rho, moduli.wave(),

@@ -11,14 +11,15 @@ namespace strike {
 /// over the mass, which may not be above 1.
 template <class T>
 struct Hex8Resistance {
+  T mass{};                          ///< of each node
   T lambda{}, shear{}, hourglass{};  ///< stress = lambda tr(grad p) I + 2 shear sym(grad p); Q_k = hourglass q_k
 
   /// Of a material with these moduli and a bulk viscosity of the coefficient zeta [stress time]: what Stability bounds.
   template <class M>
-  static Hex8Resistance in_step(const M& material, const Moduli<T>& moduli, const T& zeta, double dt) {
+  static Hex8Resistance in_step(const M& material, const Moduli<T>& moduli, const T& zeta, const T& mass, double dt) {
     const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear);
     const double k = 0.25 * dt * dt, c = 0.5 * dt;
-    Hex8Resistance resistance{k * lambda + c * zeta, k * moduli.shear};
+    Hex8Resistance resistance{mass, k * lambda + c * zeta, k * moduli.shear};
     if constexpr (requires { material.viscosity(); }) resistance.shear += c * material.viscosity();
     return resistance;
   }
