@@ -171,6 +171,7 @@ class GlobalStep::Running {
   template <class Execution>
   void extend(StableStep& stable, Nodes& nodes, Things& things, const Execution& execution) {
     const double own = stable.dt;
+    if (!std::isfinite(own)) return;  // nothing is left that resists
     stable.dt = std::max(own, allowed_step(things, execution));
     earned_ += stable.dt / own - 1;
     lost_ += 1 - stable.dt / (hope_ * own);
