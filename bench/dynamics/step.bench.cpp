@@ -9,33 +9,19 @@
 
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
-#include <strike/material/eos/linear.hpp>
-#include <strike/material/solid.hpp>
-#include <strike/material/strength/von_mises.hpp>
-#include <strike/mesh/box.hpp>
+
+#include "../support/materials.hpp"
+#include "../support/squeezed_bar.hpp"
 
 namespace {
 
 using namespace strike;
 
-/// Begins as a bar that is squeezed and swells, so that every element yields.
-struct Squeeze {
-  double rate;
-
-  template <class N>
-  void begin(N& nodes) const {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodes.set_velocity(i, rate * nodes.x(i).cwiseProduct(Eigen::Vector3d(.5, .5, -1)));
-  }
-};
-
 template <class T>
 void steps(benchmark::State& state, std::array<Index, 3> cells) {
-  const double h = 1e-3;
-  const Mesh bar = box({.size = {h * cells[0], h * cells[1], h * cells[2]}, .cells = cells});
-  const Solid copper{LinearEos{.density = 8930, .bulk_modulus = 130e9},
-                     VonMises{.shear_modulus = 43.3e9, .yield_stress = 400e6, .hardening_modulus = 100e6}};
-  Explicit run{Scene{bar.nodes, Part{Hex8{}, copper, bar.hexahedra}, Squeeze{1e3}}, {}, in<T>};
+  const Mesh bar = bench::bar(cells);
+  const Solid copper{bench::linear, bench::hardening};
+  Explicit run{Scene{bar.nodes, Part{Hex8{}, copper, bar.hexahedra}, bench::Squeeze{1e3}}, {}, in<T>};
   for (auto _ : state) run.step();
   state.counters["per_element"] =
       benchmark::Counter(static_cast<double>(bar.hexahedra.size()),

@@ -54,7 +54,7 @@ struct Swing {
   }
 };
 
-constexpr auto swing = [](const auto& element, auto number, const Setting& setting) -> Outcome {
+constexpr auto swing = [](const auto& element, auto numbers, const Setting& setting) -> Outcome {
   const FlexuralWave wave;
   const Index n = Index{1} << setting.mesh;
   const Mesh half = box({.lower = {0, -0.5, -0.5}, .size = {span / 2, 1, 1}, .cells = {4 * n, n, n}});
@@ -66,7 +66,7 @@ constexpr auto swing = [](const auto& element, auto number, const Setting& setti
                      Symmetry{Axis::z, plane(Axis::x, 0)},                                                  //
                      Symmetry{Axis::x, plane(Axis::x, span / 2)}, Symmetry{Axis::y, plane(Axis::y, -0.5)},  //
                      Symmetry{Axis::y, plane(Axis::y, 0.5)}},
-               setting.options, number};
+               setting.options, numbers};
 
   double deviation = 0, motion = 0;
   const double period = 2 * std::numbers::pi / wave.frequency;

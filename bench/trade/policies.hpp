@@ -13,13 +13,21 @@ constexpr auto usual = [](auto& cases) { cases.add("usual", Hex8{}); };
 
 constexpr auto numbers = [](auto& cases) {
   cases.add("float", Hex8{}, in<Pack<float>>);
+  cases.add("mixed", Hex8{}, in<Pack<float>, double>);
   cases.add("double, one lane", Hex8{}, in<double>);
+};
+
+/// A metre from the origin, thirty times the size of the Taylor bar.
+constexpr auto distances = [](auto& cases) {
+  cases.add("double, a metre away", Hex8{}, in<Pack<double>>, Options{.distance = 1000});
+  cases.add("float, a metre away", Hex8{}, in<Pack<float>>, Options{.distance = 1000});
+  cases.add("mixed, a metre away", Hex8{}, in<Pack<float>, double>, Options{.distance = 1000});
 };
 
 constexpr auto elements = [](auto& cases) { cases.add("8 points", Hex8Full{}); };
 
 constexpr auto step_factors = [](auto& cases) {
-  cases.add("step factor 0.5", Hex8{}, in<Pack<double>>, ExplicitOptions{.step_factor = 0.5});
+  cases.add("step factor 0.5", Hex8{}, in<Pack<double>>, Options{.driver = {.step_factor = 0.5}});
 };
 
 constexpr auto hourglass_controls = [](auto& cases) {

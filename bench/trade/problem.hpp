@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <utility>
@@ -8,9 +7,12 @@
 
 #include <strike/dynamics/explicit.hpp>
 
+#include "../support/clock.hpp"
+
 namespace trade {
 
 using namespace strike;
+using bench::cpu_seconds;
 
 /// What a run found and what it took.
 struct Outcome {
@@ -19,10 +21,16 @@ struct Outcome {
   std::size_t steps, elements;
 };
 
-/// How a policy runs a problem beside the element and the number: on which of its meshes, and how the driver is told.
+/// How a policy runs a problem beside the element and the numbers: how the driver is told, how far from the origin.
+struct Options {
+  ExplicitOptions driver = {};
+  double distance = 0;  ///< [length], where the problem heeds it
+};
+/// The same on one of the meshes.
 struct Setting {
   std::size_t mesh;
   ExplicitOptions options;
+  double distance;
 };
 
 /// A policy on a problem.
@@ -40,16 +48,16 @@ struct Problem {
   std::vector<Case> cases = {};
 };
 
-/// Collects the policies of a problem, whose scene is `Outcome run(element, number, setting)`.
+/// Collects the policies of a problem, whose scene is `Outcome run(element, numbers, setting)`.
 template <class Run>
 class Cases {
  public:
   Cases(Problem& problem, Run run) : problem_(problem), run_(run) {}
 
-  template <class Element, class T = Pack<double>>
-  void add(std::string policy, const Element& element, In<T> number = {}, ExplicitOptions options = {}) {
-    problem_.cases.push_back({std::move(policy), [run = run_, element, number, options](std::size_t mesh) -> Outcome {
-                                return run(element, number, Setting{mesh, options});
+  template <class Element, class Numbers = In<Pack<double>>>
+  void add(std::string policy, const Element& element, Numbers numbers = {}, Options options = {}) {
+    problem_.cases.push_back({std::move(policy), [run = run_, element, numbers, options](std::size_t mesh) -> Outcome {
+                                return run(element, numbers, Setting{mesh, options.driver, options.distance});
                               }});
   }
 
@@ -64,14 +72,6 @@ Problem problem(Problem about, Run run, Groups... groups) {
   Cases<Run> cases(about, run);
   (groups(cases), ...);
   return about;
-}
-
-/// What an action takes [s of CPU].
-template <class Action>
-double cpu_seconds(Action action) {
-  const std::clock_t begin = std::clock();
-  action();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 // The problems, each with its file.

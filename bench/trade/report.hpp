@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
@@ -10,9 +9,12 @@
 #include <strike/output/file.hpp>
 #include <strike/text.hpp>
 
+#include "../support/table.hpp"
 #include "problem.hpp"
 
 namespace trade {
+
+using bench::formatted, bench::head, bench::row;
 
 /// A run of a case on a mesh. If it was given up, the error is infinite and `failure` says why.
 struct Run {
@@ -42,12 +44,6 @@ inline std::vector<const Run*> mark_front(Study& study) {
   return front;
 }
 
-inline std::string formatted(const char* format, double number) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, number);
-  return text;
-}
-
 /// "0.42 % in 0.63 s", bold on the front.
 inline std::string cell(const Run& run) {
   if (!run.failure.empty()) return "given up";
@@ -58,22 +54,21 @@ inline std::string cell(const Run& run) {
 
 /// Policies down, meshes across.
 inline std::string markdown(const Study& study) {
-  const std::size_t meshes = study.runs.front().size();
+  std::vector<std::string> titles{"policy"};
+  for (std::size_t k = 0; k < study.runs.front().size(); ++k)
+    titles.push_back(detail::joined(
+        {study.problem.meshes[k], ", ", std::to_string(study.runs.front()[k].outcome.elements), " hexahedra"}));
+  titles.insert(titles.end(), {"steps", "ns per element and step"});
   std::string text =
-      detail::joined({"### ", study.problem.title, "\n\nError: ", study.problem.error, ".\n\n| policy |"});
-  for (std::size_t k = 0; k < meshes; ++k)
-    text += detail::joined(
-        {" ", study.problem.meshes[k], ", ", std::to_string(study.runs.front()[k].outcome.elements), " hexahedra |"});
-  text += " steps | ns per element and step |\n|---|";
-  for (std::size_t k = 0; k < meshes + 2; ++k) text += "--:|";
-  text += '\n';
+      detail::joined({"### ", study.problem.title, "\n\nError: ", study.problem.error, ".\n\n", head(titles)});
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
-    const Run& finest = study.runs[i].back();
-    text += detail::joined({"| ", study.problem.cases[i].policy, " |"});
-    for (const Run& run : study.runs[i]) text += detail::joined({" ", cell(run), " |"});
-    text += finest.failure.empty() ? detail::joined({" ", std::to_string(finest.outcome.steps), " | ",
-                                                     formatted("%.0f", finest.nanoseconds()), " |\n"})
-                                   : " | |\n";
+    std::vector<std::string> cells{study.problem.cases[i].policy};
+    for (const Run& run : study.runs[i]) cells.push_back(cell(run));
+    if (const Run& finest = study.runs[i].back(); finest.failure.empty())
+      cells.insert(cells.end(), {std::to_string(finest.outcome.steps), formatted("%.0f", finest.nanoseconds())});
+    else
+      cells.insert(cells.end(), 2, "");
+    text += row(cells);
   }
   return text;
 }

@@ -6,6 +6,7 @@
 //   build/bench/bench/trade problem=taylor
 //
 // Written into out/trade: trade.csv, trade.md, and a picture for each problem.
+#include <cstdio>
 #include <limits>
 
 #include "report.hpp"

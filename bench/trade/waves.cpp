@@ -49,7 +49,7 @@ struct Exact {
   }
 };
 
-constexpr auto strike_wall = [](const auto& element, auto number, const Setting& setting) -> Outcome {
+constexpr auto strike_wall = [](const auto& element, auto numbers, const Setting& setting) -> Outcome {
   const Exact exact;
   const double end = 0.8 * length / exact.elastic.speed;
   const Index n = Index{50} << setting.mesh;
@@ -63,7 +63,7 @@ constexpr auto strike_wall = [](const auto& element, auto number, const Setting&
                      Symmetry{Axis::y, all},                  //
                      Symmetry{Axis::z, all},                  //
                      Symmetry{Axis::x, nodes_where(column.nodes, on_plane(Axis::x, 0))}},
-               setting.options, number};
+               setting.options, numbers};
   const double seconds = cpu_seconds([&] { run.until(end); });
 
   const auto& part = run.template thing<0>();

@@ -27,6 +27,10 @@ class Options {
     }
   }
 
+  std::string text(const std::string& key, const std::string& otherwise) {
+    const std::string* text = find(key, otherwise);
+    return text ? *text : otherwise;
+  }
   double number(const std::string& key, double otherwise) {
     const std::string* text = find(key, strike::detail::text(otherwise));
     if (!text) return otherwise;

@@ -12,7 +12,7 @@ void moves_every_lane() {
   using Real = RealOf<T>;
   std::vector<Padded<Real>> field(40);
   for (std::size_t i = 0; i < field.size(); ++i)
-    for (int c = 0; c < 3; ++c) field[i].x[c] = static_cast<Real>(10 * static_cast<int>(i) + c);
+    for (std::size_t c = 0; c < 3; ++c) field[i].set(c, static_cast<Real>(10 * i + c));
   BlockNodes<8, lanes<T>> nodes;
   for (std::size_t i = 0; i < 8; ++i)
     for (std::size_t l = 0; l < lanes<T>; ++l) nodes[i][l] = static_cast<Index>((7 * i + 11 * l + 3) % 40);
@@ -20,16 +20,16 @@ void moves_every_lane() {
   const auto a = gather<T, 8>(field, nodes);
   for (std::size_t i = 0; i < 8; ++i)
     for (std::size_t l = 0; l < lanes<T>; ++l)
-      for (int c = 0; c < 3; ++c) REQUIRE(lane(a(c, static_cast<int>(i)), l) == field[nodes[i][l]].x[c]);
+      for (int c = 0; c < 3; ++c)
+        REQUIRE(lane(a(c, static_cast<int>(i)), l) == field[nodes[i][l]][static_cast<std::size_t>(c)]);
 
   for (std::size_t count = 0; count <= lanes<T>; ++count) {  // all blocks but the last are full
-    std::vector<Padded<Real>> forces(40), expected(40);
+    std::vector<Padded<Real>> forces(40, Padded<Real>(0)), expected(forces);
     scatter_subtract<T, 8>(a, forces, nodes, count);
     for (std::size_t i = 0; i < 8; ++i)
-      for (std::size_t l = 0; l < count; ++l)
-        for (int c = 0; c < 3; ++c) expected[nodes[i][l]].x[c] -= field[nodes[i][l]].x[c];
+      for (std::size_t l = 0; l < count; ++l) expected[nodes[i][l]] -= field[nodes[i][l]];
     for (std::size_t i = 0; i < 40; ++i)
-      for (int c = 0; c < 3; ++c) REQUIRE(forces[i].x[c] == expected[i].x[c]);  // whole numbers: exact in any order
+      for (std::size_t c = 0; c < 3; ++c) REQUIRE(forces[i][c] == expected[i][c]);  // whole numbers: exact in any order
   }
 }
 

@@ -1,4 +1,7 @@
 // What a scene stores, pinned: absent physics has no bytes. Listed in docs/tour.md.
+#include <concepts>
+#include <type_traits>
+
 #include <strike/strike.hpp>
 
 #include "support/catch.hpp"
@@ -25,6 +28,35 @@ static_assert(sizeof(Hot::State<double>) == 9 * sizeof(double));  // stress, pla
 static_assert(sizeof(Liquid::State<double>) == 1 * sizeof(double));
 static_assert(sizeof(Gas::State<double>) == 2 * sizeof(double));
 static_assert(sizeof(Metal::State<D8>) == 7 * d8);
+static_assert(sizeof(Solid<LinearEos, RateVonMises>::State<double>) == 7 * sizeof(double));
+static_assert(sizeof(Solid<LinearEos, VonMises, FailureStrain>::State<double>) == 8 * sizeof(double));
+static_assert(sizeof(Solid<PolynomialEos, VonMises>::State<double>) == 8 * sizeof(double));
+static_assert(sizeof(Fluid<CubicEos, Newtonian>::State<double>) == 1 * sizeof(double));
+
+// No plastic strain without plasticity, no temperature without a law that asks for it, no energy without an equation of
+// state that does, no flag without a failure; and NoFailure is what there is without one.
+template <class M>
+concept HasPlasticStrain = requires(typename M::template State<double> state) {
+  state.equivalent_plastic_strain;
+};
+template <class M>
+concept HasTemperature = requires(typename M::template State<double> state) {
+  state.temperature_rise;
+};
+template <class M>
+concept HasEnergy = requires(typename M::template State<double> state) {
+  state.internal_energy;
+};
+template <class M>
+concept HasFlag = requires(typename M::template State<double> state) {
+  state.intact;
+};
+static_assert(!HasPlasticStrain<Elastic> && !HasPlasticStrain<Solid<LinearEos, ElasticStrength>>);
+static_assert(!HasTemperature<Metal> && !HasTemperature<Solid<LinearEos, RateVonMises>>);
+static_assert(!HasEnergy<Elastic> && !HasEnergy<Metal> && !HasEnergy<Liquid>);
+static_assert(!HasFlag<Elastic> && !HasFlag<Metal> && !HasFlag<Hot> && !HasFlag<Liquid>);
+static_assert(HasPlasticStrain<Hot> && HasTemperature<Hot> && HasEnergy<Hot> && HasFlag<Brittle>);
+static_assert(std::same_as<Solid<LinearEos, VonMises, NoFailure>, Metal>);
 
 // Elements add 1/V0, what their bulk viscosity was, and the forces of a stiffness hourglass control.
 using Plain = Hex8<NoHourglass, HughesWinget, NoBulkViscosity>;
@@ -32,11 +64,22 @@ static_assert(sizeof(Plain::State<Metal, D8>) == 8 * d8);
 static_assert(sizeof(Hex8<>::State<Metal, D8>) == 9 * d8);
 static_assert(sizeof(Hex8<ViscousHourglass, HughesWinget, NoBulkViscosity>::State<Metal, D8>) == 8 * d8);
 static_assert(sizeof(Hex8<StiffnessHourglass>::State<Metal, D8>) == 21 * d8);
+static_assert(std::is_empty_v<NoHourglass::State<D8>> && std::is_empty_v<ViscousHourglass::State<D8>>);
+static_assert(std::is_empty_v<NoBulkViscosity::State<D8>>);
+static_assert(sizeof(Hex8<ViscousHourglass, Jaumann, BulkViscosity, EndStep>::State<Metal, D8>) == 9 * d8);
+static_assert(sizeof(Hex8Full<>::State<Metal, D8>) == (2 + 8 * 7) * d8);
 
 // A block has its eight nodes in each lane: 32 bytes an element. A node has position, velocity and force of four
 // numbers.
 static_assert(sizeof(RunningPart<Hex8<>, Metal, D8>::Block) == 9 * d8 + 8 * 8 * sizeof(Index));
 static_assert(sizeof(Padded<double>) == 32 && sizeof(Padded<float>) == 16);
+
+// A thing in a scene takes its own bytes and no others.
+template <class... Things>
+using Run = Explicit<In<D8>, Serial, Part<Hex8<>, Metal>, Things...>;
+static_assert(sizeof(Run<RigidWall>) == sizeof(Run<>) + sizeof(RigidWall));
+static_assert(sizeof(Run<Symmetry, BodyForce<>>) == sizeof(Run<>) + sizeof(Symmetry) + sizeof(BodyForce<>));
+static_assert(sizeof(Run<InitialVelocity>) == sizeof(Run<>) + sizeof(InitialVelocity));
 
 }  // namespace
 

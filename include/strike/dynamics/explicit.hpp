@@ -209,15 +209,12 @@ class Explicit {
   void kick() {
     const Real kick = static_cast<Real>(step_.kick());
     detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
-      double kinetic[4]{};  // the fourth is padding: a node goes as one register
+      Padded<double> kinetic = 0;
       for (std::size_t i = first; i < last; ++i) {
-        Padded<Real>& v = nodes_.velocity()[i];
-        const Padded<Real>& f = nodes_.force()[i];
-        const Real m = nodes_.mass()[i], kick_per_mass = kick / m;
-        for (int c = 0; c < 4; ++c) {
-          kinetic[c] += static_cast<double>(v.x[c] * (m * v.x[c] + kick * f.x[c]));
-          v.x[c] += kick_per_mass * f.x[c];
-        }
+        const Real m = nodes_.mass()[i];
+        const Padded<Real> v = nodes_.velocity()[i], after = v + Padded<Real>(kick / m) * nodes_.force()[i];
+        kinetic += Padded<double>(Padded<Real>(m) * v * after);
+        nodes_.velocity()[i] = after;
       }
       kinetic_[k] = kinetic[0] + kinetic[1] + kinetic[2];
     });
@@ -279,12 +276,7 @@ class Explicit {
   void drift() {
     const Real dt = static_cast<Real>(step_.dt);
     detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        Padded<Real>& x = nodes_.position()[i];
-        const Padded<Real>& v = nodes_.velocity()[i];
-        for (int c = 0; c < 4; ++c) x.x[c] += dt * v.x[c];
-        nodes_.force()[i] = {};
-      }
+      for (std::size_t i = first; i < last; ++i) nodes_.position()[i] += Padded<Real>(dt) * nodes_.velocity()[i];
     });
     if (step_.dt >= end_ - clock_.time())
       clock_.set(end_);
@@ -355,14 +347,16 @@ class Explicit {
 
 /// A scene that the compiler complains about gets no second complaint.
 template <class Numbers, class Execution, class Bound, class... Things>
-requires(!Scene<Things...>::sound || !Numbers::is_scalar ||
+requires(!Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_available<Execution>() ||
          !detail::is_bounded<Bound, Things...>) class Explicit<Numbers, Execution, Bound, Things...> {
-  static_assert(!Scene<Things...>::sound || detail::is_bounded<Bound, Things...>,
-                "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
-                "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
-
  public:
-  explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {}
+  explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {
+    static_assert(detail::is_available<Execution>(),
+                  "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp.");
+    static_assert(!Scene<Things...>::sound || detail::is_bounded<Bound, Things...>,
+                  "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
+                  "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
+  }
   void step() {}
   void until(auto&&...) {}
 };

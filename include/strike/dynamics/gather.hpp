@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <utility>
 
 #include <strike/mesh/mesh.hpp>
@@ -26,12 +25,15 @@ struct Transposer {
   static Vector3<T> load(const Field& field, const Places& nodes) {
     Vector3<T> a;
     for (std::size_t l = 0; l < lanes<T>; ++l)
-      for (int c = 0; c < 3; ++c) set_lane(a(c), l, field[nodes[l]].x[c]);
+      for (int c = 0; c < 3; ++c) set_lane(a(c), l, field[nodes[l]][static_cast<std::size_t>(c)]);
     return a;
   }
   static void subtract(const Vector3<T>& a, Field& field, const Places& nodes, std::size_t count) {
     for (std::size_t l = 0; l < count; ++l)
-      for (int c = 0; c < 3; ++c) field[nodes[l]].x[c] -= lane(a(c), l);
+      for (int c = 0; c < 3; ++c) {
+        Padded<RealOf<T>>& sum = field[nodes[l]];
+        sum.set(static_cast<std::size_t>(c), sum[static_cast<std::size_t>(c)] - lane(a(c), l));
+      }
   }
 };
 
@@ -57,23 +59,18 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
     (std::make_integer_sequence<int, static_cast<int>(width)>{});
   }
 
-  static Quad load(const Padded<T>& a) {
-    Quad q;
-    std::memcpy(&q, a.x, sizeof q);
-    return q;
-  }
   /// The nodes first, first + 4, ... side by side.
   static Wide load_row(const Field& field, const Index* nodes) {
-    const Quad q0 = load(field[nodes[0]]);
+    const Quad q0 = field[nodes[0]].native(0);
     if constexpr (quads == 1) {
       return q0;
     } else {
-      const auto pair = __builtin_shufflevector(q0, load(field[nodes[4]]), 0, 1, 2, 3, 4, 5, 6, 7);
+      const auto pair = __builtin_shufflevector(q0, field[nodes[4]].native(0), 0, 1, 2, 3, 4, 5, 6, 7);
       if constexpr (quads == 2) {
         return pair;
       } else {
         const auto next =
-            __builtin_shufflevector(load(field[nodes[8]]), load(field[nodes[12]]), 0, 1, 2, 3, 4, 5, 6, 7);
+            __builtin_shufflevector(field[nodes[8]].native(0), field[nodes[12]].native(0), 0, 1, 2, 3, 4, 5, 6, 7);
         return __builtin_shufflevector(pair, next, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
       }
     }
@@ -82,11 +79,6 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
   static Quad quad(const Wide& row) {
     return __builtin_shufflevector(row, row, 4 * q, 4 * q + 1, 4 * q + 2, 4 * q + 3);
   }
-  static void subtract(const Quad& change, Padded<T>& node) {
-    const Quad sum = load(node) - change;
-    std::memcpy(node.x, &sum, sizeof sum);
-  }
-
   static Vector3<Pack<T, N>> load(const Field& field, const Places& nodes) {
     Vector3<Pack<T, N>> v;
     for (std::size_t k = 0; k < registers; ++k) {
@@ -111,7 +103,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
       const std::size_t left = count - std::min(count, k * width);
       [&]<int... q>(std::integer_sequence<int, q...>) {
         const auto put = [&](std::size_t l, const Quad& change) {
-          if (left >= width || l < left) subtract(change, field[first[l]]);
+          if (left >= width || l < left) field[first[l]].native(0) -= change;
         };
         ((put(4 * q, quad<q>(rows[0])), put(4 * q + 1, quad<q>(rows[1])), put(4 * q + 2, quad<q>(rows[2])),
           put(4 * q + 3, quad<q>(rows[3]))),

@@ -189,7 +189,7 @@ class GlobalStep::Running {
  private:
   using Field = std::decay_t<decltype(std::declval<Nodes&>().motion().position)>;
   using Vector = typename Field::value_type;
-  using Real = std::decay_t<decltype(Vector{}.x[0])>;
+  using Real = RealOf<Vector>;
 
   /// f(part, its blocks when they were asked).
   template <class F>
@@ -299,29 +299,27 @@ class GlobalStep::Running {
   /// below. With the vectors q over the masses:  b q_next = A q/m - a q - b_before q_before,  a = q.A q,  |q| = 1.
   template <class Execution>
   double lanczos(std::size_t steps, Nodes& nodes, Things& things, const Execution& execution) {
-    for (Field* field : {&q_, &q_before_, &resistance_}) field->assign(nodes.places(), {});
+    for (Field* field : {&q_, &q_before_, &resistance_}) field->assign(nodes.places(), Vector(0));
     for (const Index i : places_)
-      for (std::uint64_t c = 0; c < 3; ++c)
-        q_[i].x[c] = static_cast<Real>(detail::random_normal((asked_ << 40) + 3 * std::uint64_t{i} + c) /
-                                       std::sqrt(static_cast<double>(mass_[i])));
+      for (std::size_t c = 0; c < 3; ++c)
+        q_[i].set(c, static_cast<Real>(detail::random_normal((asked_ << 40) + 3 * std::uint64_t{i} + c) /
+                                       std::sqrt(static_cast<double>(mass_[i]))));
 
     std::vector<double> diagonal, beside;
     double norm = std::sqrt(sum(execution, [&](Index i) { return mass_[i] * dot(q_[i], q_[i]); }));
     for (std::size_t k = 0; k < steps && norm > 0; ++k) {
       if (k > 0) beside.push_back(norm);
-      const Real b = k > 0 ? static_cast<Real>(norm) : 0, per_norm = static_cast<Real>(1 / norm);
+      const Vector b = k > 0 ? static_cast<Real>(norm) : 0, per_norm = static_cast<Real>(1 / norm);
       sum(execution, [&](Index i) {
-        for (int c = 0; c < 3; ++c) q_[i].x[c] *= per_norm;
-        resistance_[i] = {};
+        q_[i] *= per_norm;
+        resistance_[i] = 0;
         return Real(0);
       });
       resist(nodes, things, execution);
       diagonal.push_back(-sum(execution, [&](Index i) { return dot(q_[i], resistance_[i]); }));
-      const Real a = static_cast<Real>(diagonal.back());
+      const Vector a = static_cast<Real>(diagonal.back());
       norm = std::sqrt(sum(execution, [&](Index i) {
-        const Real per_mass = 1 / mass_[i];
-        for (int c = 0; c < 3; ++c)
-          q_before_[i].x[c] = -per_mass * resistance_[i].x[c] - a * q_[i].x[c] - b * q_before_[i].x[c];
+        q_before_[i] = -(a * q_[i] + b * q_before_[i] + Vector(1 / mass_[i]) * resistance_[i]);
         return mass_[i] * dot(q_before_[i], q_before_[i]);
       }));
       std::swap(q_, q_before_);
@@ -329,7 +327,7 @@ class GlobalStep::Running {
     return detail::largest_eigenvalue(diagonal, beside);
   }
 
-  static Real dot(const Vector& a, const Vector& b) { return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2]; }
+  static Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
   /// The sum of f(i) over the nodes of those asked, in an order that does not depend on the threads.
   template <class Execution, class F>

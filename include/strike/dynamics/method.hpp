@@ -41,6 +41,15 @@ struct IsStepBound : std::bool_constant<StepBound<P>> {};
 template <class P>
 inline constexpr bool is_policy = IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value;
 
+/// Whether the compiler has been told to compile this execution.
+template <class E>
+constexpr bool is_available() {
+  if constexpr (requires { E::is_available; })
+    return E::is_available;
+  else
+    return true;
+}
+
 /// The first of the policies that `Is`, else the last, which is the usual one.
 template <template <class> class Is, class Policy, class... Rest>
 constexpr auto pick(const Policy& policy, const Rest&... rest) {

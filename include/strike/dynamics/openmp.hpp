@@ -8,29 +8,24 @@
 
 namespace strike {
 
-namespace detail {
-#ifdef _OPENMP
-template <class F>
-inline constexpr bool has_openmp = true;
-#else
-template <class F>
-inline constexpr bool has_openmp = false;
-#endif
-}  // namespace detail
-
 /// The threads of OpenMP: `Explicit run{scene, {}, OpenMP{.threads = 4}}`. Results are the same, bit for bit, for any
 /// number of them. Programs that use it link the target strike::openmp.
 struct OpenMP {
   int threads = 0;  ///< 0: as many as OpenMP gives, one per core or OMP_NUM_THREADS
 
+#ifdef _OPENMP
+  static constexpr bool is_available = true;
+#else
+  static constexpr bool is_available = false;
+#endif
+
   template <class F>
   void for_each(std::size_t n, const F& f) const {
-    static_assert(detail::has_openmp<F>, "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp.");
 #ifdef _OPENMP
     const std::size_t team = static_cast<std::size_t>(threads > 0 ? threads : omp_get_max_threads());
 #pragma omp parallel for schedule(dynamic) num_threads(static_cast <int>(std::min(team, n))) if (n > 1)
-    for (std::size_t k = 0; k < n; ++k) f(k);
 #endif
+    for (std::size_t k = 0; k < n; ++k) f(k);
   }
 };
 

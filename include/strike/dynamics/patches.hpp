@@ -21,15 +21,6 @@ struct Patch {
 /// The patches of a part. None writes where another reads or writes, so that all may be at work at once. They, and with
 /// them the order in which forces are summed, follow from the mesh alone.
 class Patches {
-  template <class To, class From>
-  static void set_difference(Padded<To>& to, const Padded<From>& a, const Padded<From>& b) {
-    for (int c = 0; c < 4; ++c) to.x[c] = static_cast<To>(a.x[c] - b.x[c]);
-  }
-  template <class To, class From>
-  static void add(Padded<To>& to, const Padded<From>& a) {
-    for (int c = 0; c < 4; ++c) to.x[c] += static_cast<To>(a.x[c]);
-  }
-
  public:
   Patches() = default;
   /// Cuts the blocks of `lanes` elements into patches and makes them name their ghosts. Nodes lie in the order in which
@@ -75,29 +66,36 @@ class Patches {
   template <class N>
   void load(const Patch& patch, N& nodes) const {
     auto& motion = nodes.motion();
+    using Copy = std::decay_t<decltype(motion.position[0])>;
     const auto origin = this->origin(patch, nodes);
     const auto copy = [&](Index from, Index to) {
-      set_difference(motion.position[to], nodes.position()[from], origin);
-      set_difference(motion.velocity[to], nodes.velocity()[from], {});
-      motion.force[to] = {};
+      motion.position[to] = Copy(nodes.position()[from] - origin);
+      motion.velocity[to] = Copy(nodes.velocity()[from]);
+      motion.force[to] = 0;
     };
-    if constexpr (N::elements_have_copy)
-      for (Index i = patch.first_node; i < patch.last_node; ++i) copy(i, i);
+    for (Index i = patch.first_node; i < patch.last_node; ++i) {
+      if constexpr (N::elements_have_copy)
+        copy(i, i);
+      else
+        nodes.force()[i] = 0;
+    }
     for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) copy(sources_[g - first_ghost_], g);
   }
-  /// Adds the forces on a copy to those on the nodes.
+  /// Brings the forces on a copy to the nodes.
   template <class N>
   void store(const Patch& patch, N& nodes) const {
+    using Sum = std::decay_t<decltype(nodes.force()[0])>;
     if constexpr (N::elements_have_copy)
-      for (Index i = patch.first_node; i < patch.last_node; ++i) add(nodes.force()[i], nodes.motion().force[i]);
+      for (Index i = patch.first_node; i < patch.last_node; ++i) nodes.force()[i] = Sum(nodes.motion().force[i]);
   }
   /// Adds the forces on the ghosts to those on the nodes, patch after patch.
   template <class N, class Execution>
   void store_ghosts(N& nodes, const Execution& execution) const {
+    using Sum = std::decay_t<decltype(nodes.force()[0])>;
     for_each_chunk(execution, groups_.size() - 1, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
         for (Index i = groups_[k]; i < groups_[k + 1]; ++i)
-          add(nodes.force()[sources_[by_source_[i]]], nodes.motion().force[first_ghost_ + by_source_[i]]);
+          nodes.force()[sources_[by_source_[i]]] += Sum(nodes.motion().force[first_ghost_ + by_source_[i]]);
     });
   }
 
@@ -107,23 +105,20 @@ class Patches {
   void refresh(const Patch& patch, Field& field, Field& product) const {
     for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
       field[g] = field[sources_[g - first_ghost_]];
-      product[g] = {};
+      product[g] = 0;
     }
   }
   /// ... and adds the product at them to that at their nodes, if patch after patch then as the forces.
   template <class Field>
   void gather(const Patch& patch, Field& product) const {
-    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
-      auto& sum = product[sources_[g - first_ghost_]];
-      for (int c = 0; c < 4; ++c) sum.x[c] += product[g].x[c];
-    }
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) product[sources_[g - first_ghost_]] += product[g];
   }
 
  private:
   template <class N>
   auto origin(const Patch& patch, const N& nodes) const {
     if constexpr (!N::elements_have_copy)
-      return std::decay_t<decltype(nodes.position()[0])>{};
+      return std::decay_t<decltype(nodes.position()[0])>(0);
     else if (patch.first_node < patch.last_node)
       return nodes.position()[patch.first_node];
     else

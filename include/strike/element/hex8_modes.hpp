@@ -39,7 +39,8 @@ Nodal<T, 8> to_nodes(const Hex8Modes<T>& F) {
 
 /// The mean gradient of the trilinear hexahedron (Flanagan and Belytschko 1981, eq. 16), in modes:
 ///   64 V = det(a1, a2, a3) + (det(a1, b3, b2) + det(b3, a2, b1) + det(b2, b1, a3))/3,   g_k = d(64 V)/d m_k;
-/// d does not enter. In the nodes B_I = dV/dx_I = sum_k Lambda_kI g_k/64.
+/// d does not enter. In the nodes B_I = dV/dx_I = sum_k Lambda_kI g_k/64. As the gradient of x is 1, sum_k m_k (x) g_k
+/// = 64 V 1, and V is any component of its diagonal.
 template <class T>
 struct Hex8Gradient {
   Vector3<T> a1, a2, a3, b1, b2, b3;
@@ -52,8 +53,8 @@ struct Hex8Gradient {
         b1(T(1.0 / 3.0) * (cross(m.b3, m.a2) + cross(m.a3, m.b2))),
         b2(T(1.0 / 3.0) * (cross(m.a1, m.b3) + cross(m.b1, m.a3))),
         b3(T(1.0 / 3.0) * (cross(m.b2, m.a1) + cross(m.a2, m.b1))),
-        volume(T(1.0 / 192.0) *
-               (dot(m.a1, a1) + dot(m.a2, a2) + dot(m.a3, a3) + dot(m.b1, b1) + dot(m.b2, b2) + dot(m.b3, b3))) {}
+        volume(T(1.0 / 64.0) * (m.a1(0) * a1(0) + m.a2(0) * a2(0) + m.a3(0) * a3(0) + m.b1(0) * b1(0) +
+                                m.b2(0) * b2(0) + m.b3(0) * b3(0))) {}
 
   /// L_ij = du_i/dx_j, the mean over the element: sum_k u_k (x) g_k / (64 V); `per_volume` is 1/V.
   Matrix3<T> gradient_of(const Hex8Modes<T>& u, const T& per_volume) const {

@@ -14,6 +14,7 @@
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/scalar/pack.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -60,11 +61,9 @@ class HeldDirections {
 
 }  // namespace detail
 
-/// A vector at a node, padded so that it moves as one register.
+/// A vector at a node, padded so that it moves as one register; the fourth number is nobody's.
 template <class Real>
-struct alignas(4 * sizeof(Real)) Padded {
-  Real x[4]{};
-};
+using Padded = Pack<Real, 4>;
 
 /// A vector for each place.
 template <class Real>
@@ -75,8 +74,9 @@ template <class Real>
 struct Motion {
   NodalField<Real> position, velocity, force;
 
-  explicit Motion(std::size_t places = 0) : position(places), velocity(places), force(places) {}
-  void add_place() { position.emplace_back(), velocity.emplace_back(), force.emplace_back(); }
+  explicit Motion(std::size_t places = 0) : position(places, zero()), velocity(position), force(position) {}
+  void add_place() { position.push_back(zero()), velocity.push_back(zero()), force.push_back(zero()); }
+  static Padded<Real> zero() { return Padded<Real>(0); }
 };
 
 /// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass. They
@@ -158,10 +158,10 @@ class Nodes {
 
  private:
   static Eigen::Vector3d told(const Padded<Real>& a) {
-    return {static_cast<double>(a.x[0]), static_cast<double>(a.x[1]), static_cast<double>(a.x[2])};
+    return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
   }
   static void set(Padded<Real>& a, const Eigen::Vector3d& value) {
-    for (int c = 0; c < 3; ++c) a.x[c] = static_cast<Real>(value(c));
+    for (std::size_t c = 0; c < 3; ++c) a.set(c, static_cast<Real>(value(static_cast<Eigen::Index>(c))));
   }
 
   struct None {};

@@ -72,6 +72,15 @@ class Pack {
   constexpr Pack(U value)  // implicit: literals stand in formulas
       : Pack(detail::by_register<Pack>([&](std::size_t) { return Register{} + static_cast<T>(value); })) {}
 
+  /// The same numbers in another precision.
+  template <std::floating_point U>
+  explicit Pack(const Pack<U, N>& a) {
+    if constexpr (width == Pack<U, N>::width)
+      for (std::size_t k = 0; k < registers; ++k) r_[k] = __builtin_convertvector(a.native(k), Register);
+    else
+      for (std::size_t i = 0; i < N; ++i) set(i, static_cast<T>(a[i]));
+  }
+
   static constexpr std::size_t size() { return N; }
   T operator[](std::size_t lane) const { return r_[lane / width][lane % width]; }
   void set(std::size_t lane, T value) { r_[lane / width][lane % width] = value; }

@@ -1,0 +1,47 @@
+#include <limits>
+
+#include <strike/element/hex8_full.hpp>
+
+#include "feature.hpp"
+
+namespace prices {
+
+namespace {
+
+/// An element that tells nothing of its works, so that the compiler leaves them out.
+template <class E>
+struct Silent : E {
+  template <class M, class T, class Velocities>
+  Response<T, E::nodes> advance(typename E::template State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x,
+                                const Velocities& v, double dt) const {
+    Response<T, E::nodes> response = E::advance(state, material, x, v, dt);
+    response.internal_work = response.hourglass_work = response.bulk_viscosity_work = T(0.0);
+    return response;
+  }
+};
+
+}  // namespace
+
+Group elements() {
+  constexpr ViscousHourglass hourglass;
+  constexpr BulkViscosity viscosity;
+  return {"Element",
+          {of_element("no hourglass control", Hex8{NoHourglass{}}),
+           of_element("stiffness hourglass control", Hex8{StiffnessHourglass{}}),
+           of_element("Jaumann", Hex8{hourglass, Jaumann{}}),
+           of_element("end of step", Hex8{hourglass, HughesWinget{}, viscosity, EndStep{}}),
+           of_element("Jaumann, end of step", Hex8{hourglass, Jaumann{}, viscosity, EndStep{}}),
+           of_element("no bulk viscosity", Hex8{hourglass, HughesWinget{}, NoBulkViscosity{}}),
+           of_element("the least: no control, Jaumann, no bulk viscosity, end of step",
+                      Hex8{NoHourglass{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}),
+           of_element("Hex8Full, eight points", Hex8Full{})}};
+}
+
+Group ledger() {
+  const ExplicitOptions unbalanced{.energy_tolerance = std::numeric_limits<double>::infinity()};
+  return {"Energy ledger, always there", {feature("without the works of the elements", [=] {
+            return started(scene(Silent<Hex8<>>{Hex8{}}, copper), unbalanced);
+          })}};
+}
+
+}  // namespace prices

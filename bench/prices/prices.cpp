@@ -1,0 +1,115 @@
+// What each feature adds to the step of the whole driver: the usual scene and one that differs in one thing take turns,
+// so that both meet the same moods of the machine. A new feature is a line in a file beside this one.
+//
+//   OMP_PROC_BIND=true build/bench/bench/prices          all, some two minutes; the threads on cores of their own
+//   build/bench/bench/prices only=threads rounds=3       features whose names contain a word, less to rely on
+//
+// Written into out/prices: prices.md and what the features of output write.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <strike/output/file.hpp>
+#include <strike/text.hpp>
+
+#include "../support/clock.hpp"
+#include "../support/table.hpp"
+#include "feature.hpp"
+#include "support/options.hpp"
+
+namespace {
+
+using namespace prices;
+using namespace bench;
+
+struct Price {
+  double bytes;
+  double ratio;   ///< to the time of the usual, median
+  double spread;  ///< half the range of the middle half of the ratios
+};
+
+/// In each round a feature and the usual begin anew, for where its memory lies makes a run quicker or slower, and take
+/// turns of some steps. Turns of the usual are added to `usual_seconds` [s per step].
+Price price(const Feature& feature, const Feature& usual, std::size_t rounds, std::vector<double>& usual_seconds) {
+  std::vector<double> ratios;
+  double bytes = 0;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const Trial with = feature.start(), without = usual.start();
+    const auto turn = [&](const Trial& trial) {
+      const auto steps = [&] {
+        for (int i = 0; i < feature.steps; ++i) trial.step();
+      };
+      return (feature.timed_by == TimedBy::wall ? wall_seconds(steps) : cpu_seconds(steps)) / feature.steps;
+    };
+    for (int i = 0; i < 3; ++i) with.step(), without.step();
+    const double first = turn(without), theirs = turn(with) + turn(with), last = turn(without);
+    ratios.push_back(theirs / (first + last));
+    usual_seconds.insert(usual_seconds.end(), {first, last});
+    bytes = with.bytes;
+  }
+  return {bytes, median(ratios), 0.5 * (quantile(ratios, 0.75) - quantile(ratios, 0.25))};
+}
+
+constexpr const char* introduction = R"(# What does each feature cost?
+
+    cmake --workflow --preset bench && OMP_PROC_BIND=true build/bench/bench/prices out=docs/prices.md
+
+The usual is a bar of 100 000 `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at
+mid-step, bulk viscosity) of copper with `LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core,
+squeezed so that every element yields. Each row differs from it in one thing. Both begin anew several times and take
+turns of some steps. Given are the median of the ratios of their times, half the range of the middle half of these
+ratios, and what that is in time where the usual takes its own median. Bytes are those that an element stores, with the
+numbers of its eight nodes.
+)";
+
+/// The groups that are left of all if features must have a word in their names.
+std::vector<Group> groups(const std::string& word) {
+  std::vector<Group> groups{{"The usual", {usual("the usual against itself")}}};
+  for (const auto& group : {strengths, failures, equations_of_state, elements, numbers, conditions, outputs, ledger})
+    groups.push_back(group());
+  for (Group& group : groups)
+    std::erase_if(group.features, [&](const Feature& f) { return f.name.find(word) == std::string::npos; });
+  std::erase_if(groups, [](const Group& group) { return group.features.empty(); });
+  return groups;
+}
+
+/// A group where the usual takes so many nanoseconds.
+std::string markdown(const Group& group, const std::vector<Price>& prices, double ns) {
+  std::string text = head({group.title, "bytes", "ns per element and step", "more", "ratio", "+-"});
+  for (std::size_t i = 0; i < prices.size(); ++i) {
+    const auto& [bytes, ratio, spread] = prices[i];
+    text += row({group.features[i].name, formatted("%.0f", bytes), formatted("%.1f", ratio * ns),
+                 formatted("%+.1f", (ratio - 1) * ns), formatted("%.3f", ratio), formatted("%.3f", spread)});
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return examples::run(count, arguments, [](examples::Options& options) {
+    const std::string path = options.text("out", "out/prices/prices.md"), word = options.text("only", "");
+    const std::size_t rounds = options.count("rounds", 7);
+    options.check();
+
+    const Feature baseline = usual("the usual");
+    const std::vector<Group> chosen = groups(word);
+    std::vector<std::vector<Price>> prices;
+    std::vector<double> usual_seconds;
+    for (const Group& group : chosen) {
+      prices.emplace_back();
+      for (const Feature& feature : group.features) {
+        const Price& p = prices.back().emplace_back(price(feature, baseline, rounds, usual_seconds));
+        std::printf("%-64s %5.0f B  %.3f +- %.3f\n", feature.name.c_str(), p.bytes, p.ratio, p.spread);
+        std::fflush(stdout);
+      }
+    }
+    if (chosen.empty()) throw Error(strike::detail::joined({"No feature has '", word, "' in its name."}));
+
+    const double ns = 1e9 * median(usual_seconds) / static_cast<double>(mesh.hexahedra.size());
+    std::string text = introduction;
+    for (std::size_t i = 0; i < chosen.size(); ++i) text += "\n" + markdown(chosen[i], prices[i], ns);
+    strike::detail::replace_file(path, text);
+    std::printf("\nThe usual: %.1f ns per element and step. Written: %s\n", ns, path.c_str());
+  });
+}

@@ -1,0 +1,226 @@
+// How near the whole step comes to what one core of this machine can do (Williams, Waterman and Patterson 2009): the
+// limits, measured; what a step computes, counted by running it in numbers that count; what it moves, from the sizes of
+// what it stores; and the time that it takes.
+//
+//   build/bench/bench/roofline
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <strike/dynamics/explicit.hpp>
+#include <strike/element/hex8.hpp>
+#include <strike/element/hex8_full.hpp>
+
+#include "support/clock.hpp"
+#include "support/counted.hpp"
+#include "support/machine.hpp"
+#include "support/materials.hpp"
+#include "support/squeezed_bar.hpp"
+#include "support/table.hpp"
+#include <unistd.h>
+
+namespace {
+
+using namespace strike;
+using namespace bench;
+
+template <class Numbers, class E, class M>
+auto squeezed(const Mesh& mesh, const E& element, const M& material, Numbers numbers) {
+  return Explicit{Scene{mesh.nodes, Part{element, material, mesh.hexahedra}, Squeeze{}}, {}, numbers};
+}
+constexpr int first_step = 5, steps = 15;  // measured are those in which every element yields
+
+template <class Run>
+void begin(Run& run) {
+  for (int i = 0; i < first_step; ++i) run.step();
+}
+template <class Run>
+void measured_steps(Run& run) {
+  for (int i = 0; i < steps; ++i) run.step();
+}
+
+/// An element whose formulas are compiled apart from the loop over the elements, which takes a tenth of the time.
+template <class E>
+struct Apart : E {
+  template <class M, class T>
+  [[gnu::noinline]] Response<T, 8> advance(typename E::template State<M, T>& state, const M& material,
+                                           const Nodal<T, 8>& x, const Nodal<T, 8>& v, double dt) const {
+    return E::advance(state, material, x, v, dt);
+  }
+};
+
+/// What the formulas of an element ask for in a step, the mean over a small bar. What stands in two formulas counts
+/// twice, though the compiler may do it once.
+struct Counts {
+  double flops, quotients, roots, functions, selections;
+};
+template <class E, class M>
+Counts counts(const E& element, const M& material) {
+  const Mesh mesh = bar({10, 12, 12});
+  auto run = squeezed(mesh, Apart<E>{element}, material, in<Counted>);
+  begin(run);
+  Counted::done = {};
+  measured_steps(run);
+  const auto each = [&](std::size_t n) { return double(n) / double(steps * mesh.hexahedra.size()); };
+  const Operations& done = Counted::done;
+  return {each(done.flops()), each(done.quotients), each(done.roots), each(done.functions), each(done.selections)};
+}
+
+/// How many nodes, and ghosts of nodes that patches share, there are to one element.
+struct Share {
+  double nodes, ghosts;
+};
+
+/// The flops that are no formulas of the element: its forces go to 8 nodes by 3 subtractions each; for each of three
+/// components of a node the kick has seven (4 of them the kinetic energy's) and the drift two; of a ghost the force is
+/// added.
+double flops_around(const Share& share) { return 8 * 3 + 3 * (7 + 2) * share.nodes + 3 * share.ghosts; }
+
+/// The bytes that one element and its share of the nodes stream in a step. The nodes pass by three times:
+///   kick    reads v, f, m, writes v
+///   drift   reads x, v, writes x, f
+///   deform  reads x, v, f, writes f; the eight elements at a node meet it in the cache
+/// and if elements work on a copy of other precision, they write its x, v, f, which stay in the cache until they are
+/// done. The ghosts pass by twice, with their indices:
+///   load          reads x, v of the node, writes x, v, f
+///   store_ghosts  reads f and that of the node, which it writes
+/// and the elements once: their block is read and of it the state written.
+template <class Part, class T, class Real>
+double bytes(const Share& share) {
+  constexpr std::size_t vector = sizeof(Padded<Real>), mass = sizeof(Real), element_vector = sizeof(Padded<RealOf<T>>);
+  constexpr std::size_t copy = Part::Nodes::elements_have_copy ? 3 * element_vector : 0;
+  constexpr std::size_t node = (3 * vector + mass) + 4 * vector + 4 * vector + copy;
+  constexpr std::size_t ghost = (2 * vector + 3 * element_vector) + (element_vector + 2 * vector) + 4 * sizeof(Index);
+  constexpr std::size_t block = sizeof(typename Part::Block) + sizeof(typename Part::State);
+  return double(block) / double(Part::width) + double(node) * share.nodes + double(ghost) * share.ghosts;
+}
+
+/// The bytes that they occupy.
+template <class Part, class T, class Real>
+double footprint(const Share& share) {
+  constexpr std::size_t ghost = 3 * sizeof(Padded<RealOf<T>>), copy = Part::Nodes::elements_have_copy ? ghost : 0;
+  constexpr std::size_t node = 3 * sizeof(Padded<Real>) + sizeof(Real) + copy;
+  return double(sizeof(typename Part::Block)) / double(Part::width) + double(node) * share.nodes +
+         double(ghost) * share.ghosts;
+}
+
+/// The time of one element and step [ns], over some 20,000 elements at least.
+template <class Start>
+double nanoseconds(Start start, double elements) {
+  const int runs = static_cast<int>(std::ceil(2e4 / elements));
+  double seconds = 0;
+  for (int i = 0; i < runs; ++i) {
+    auto run = start();
+    begin(run);
+    seconds += cpu_seconds([&] { measured_steps(run); });
+  }
+  return 1e9 * seconds / (runs * steps * elements);
+}
+
+/// Of one pair of element and material, in one number, on one mesh.
+struct Line {
+  std::string name, number;
+  Counts count;
+  double flops, bytes;     ///< of the whole step
+  double peak, bandwidth;  ///< of arithmetic in this number, and of a triad over as many bytes
+  std::function<double()> measure;
+  std::vector<double> nanoseconds{};
+
+  std::string text() const {
+    const double ns = median(nanoseconds), by_flops = 1e9 * flops / peak, by_bytes = 1e9 * bytes / bandwidth;
+    const double limit = std::max(by_flops, by_bytes);
+    return row({name, number, formatted("%.0f", flops), formatted("%.1f", count.quotients),
+                formatted("%.1f", count.roots), formatted("%.1f", count.functions), formatted("%.0f", count.selections),
+                formatted("%.0f", bytes), formatted("%.1f", ns), formatted("%.1f", flops / ns),
+                formatted("%.1f", bytes / ns), formatted("%.0f", 1e-9 * bandwidth), formatted("%.1f", limit),
+                by_flops > by_bytes ? "flops" : "bytes", formatted("%.0f %%", 100 * limit / ns)});
+  }
+};
+
+/// Products and sums on one core [flop/s].
+struct Peaks {
+  double in_double = peak<double>(), in_float = peak<float>();
+};
+
+/// Pairs of element and material on a mesh, which take turns, so that all meet the same moods of the machine.
+class Table {
+ public:
+  Table(Mesh mesh, const Peaks& peaks) : mesh_(std::move(mesh)), peaks_(peaks) {}
+
+  template <class E, class M, class T, class Real>
+  void add(const std::string& name, const E& element, const M& material, const Counts& count, In<T, Real> numbers) {
+    using Part = RunningPart<E, M, T, Real>;
+    constexpr bool in_double = sizeof(RealOf<T>) == sizeof(double), mixed = sizeof(RealOf<T>) != sizeof(Real);
+    const auto start = [=, this] { return squeezed(mesh_, element, material, numbers); };
+    const double elements = double(mesh_.hexahedra.size()), nodes = double(mesh_.nodes.size());
+    const Share share{nodes / elements, (double(start().nodes().places()) - nodes) / elements};
+    lines_.push_back({.name = name,
+                      .number = mixed       ? "mixed"
+                                : in_double ? "double"
+                                            : "float",
+                      .count = count,
+                      .flops = count.flops + flops_around(share),
+                      .bytes = bytes<Part, T, Real>(share),
+                      .peak = in_double ? peaks_.in_double : peaks_.in_float,
+                      .bandwidth = triad(elements * footprint<Part, T, Real>(share)),
+                      .measure = [=] { return nanoseconds(start, elements); }});
+  }
+
+  void measure() {
+    for (int round = 0; round < 7; ++round)
+      for (Line& line : lines_) line.nanoseconds.push_back(line.measure());
+  }
+
+  void print() const {
+    std::printf("\n%zu hexahedra\n\n%s", mesh_.hexahedra.size(),
+                head({"element, material", "number", "flops", "quotients", "roots", "functions", "selections", "bytes",
+                      "ns", "GFLOP/s", "GB/s", "of GB/s", "limit [ns]", "set by", "reached"})
+                    .c_str());
+    for (const Line& line : lines_) std::printf("%s", line.text().c_str());
+  }
+
+ private:
+  Mesh mesh_;
+  Peaks peaks_;
+  std::vector<Line> lines_;
+};
+
+template <class T>
+void print_arithmetic(const char* number, double peak) {
+  std::printf("%-7s %4.0f GFLOP/s, a quotient in %.2f ns, a root in %.2f ns\n", number, 1e-9 * peak,
+              1e9 / quotients<T>(), 1e9 / roots<T>());
+}
+
+/// Where the machine does not tell the size of a cache, a usual one [bytes].
+double cache(int level, double usual) { return std::max(usual, double(sysconf(level))); }
+
+}  // namespace
+
+int main() {
+  const Peaks peaks;
+  print_arithmetic<double>("double", peaks.in_double);
+  print_arithmetic<float>("float", peaks.in_float);
+  const double L2 = cache(_SC_LEVEL2_CACHE_SIZE, 1 << 20), L3 = cache(_SC_LEVEL3_CACHE_SIZE, 16 << 20);
+  std::printf("triad   %4.0f GB/s from L2, %.0f from L3, %.0f from memory\n", 1e-9 * triad(0.5 * L2),
+              1e-9 * triad(std::min(20 * L2, 0.5 * L3)), 1e-9 * triad(4 * L3));
+
+  Table large(bar({40, 50, 50}), peaks), small(bar({5, 6, 45}), peaks);  // the small one stays in L2
+  const auto add = [&](const std::string& name, const auto& element, const auto& material, auto... numbers) {
+    const Counts count = counts(element, material);
+    for (Table* table : {&large, &small}) (table->add(name, element, material, count, numbers), ...);
+  };
+  constexpr auto in_double = in<Pack<double>>;
+  constexpr auto in_float = in<Pack<float>>;
+  constexpr auto mixed = in<Pack<float>, double>;
+  add("Hex8, elastic", Hex8{}, elastic, in_double);
+  add("Hex8, linear, von Mises", Hex8{}, Solid{linear, hardening}, in_double, in_float, mixed);
+  add("Hex8, Gruneisen, von Mises", Hex8{}, Solid{gruneisen, hardening}, in_double);
+  add("Hex8, linear, Johnson-Cook", Hex8{}, Solid{linear, johnson_cook}, in_double, in_float);
+  add("Hex8, fluid, cubic", Hex8{}, water, in_double);
+  add("Hex8Full, linear, von Mises", Hex8Full{}, Solid{linear, hardening}, in_double, in_float);
+  for (Table* table : {&large, &small}) table->measure(), table->print();
+}
