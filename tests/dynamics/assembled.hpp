@@ -11,24 +11,41 @@
 
 namespace strike::testing {
 
+/// A solid that answers by its elastic moduli, whatever it has yielded.
+template <class M>
+struct Unyielding : M {
+  template <class T>
+  SymmetricTensor<T> stress(typename M::template State<T>& state, const SolidKinematics::Rate<T>& rate,
+                            double dt) const {
+    const Moduli<T> moduli = M::moduli(state, rate);
+    const SymmetricTensor<T>& D = rate.rate_of_deformation;
+    state.stress += SymmetricTensor<T>::isotropic((moduli.bulk - 2.0 / 3.0 * moduli.shear) * dt * trace(D)) +
+                    T(2.0 * dt * moduli.shear) * D;
+    return state.stress;
+  }
+  template <class T>
+  SymmetricTensor<T> stress(const typename M::template State<T>& state) const {
+    return state.stress;
+  }
+};
+
 /// The free vibrations of the mesh of a run in `in<double>` about where it stands, over the square roots of the masses:
-/// of its first part, with a material that has the same state (one that does not yield, so that its tangent is the
-/// elastic one).
-template <class Run, class M>
-auto vibration(Run& run, const M& material) {
+/// of its first part, whose material answers elastically.
+template <class Run>
+auto vibration(Run& run) {
   auto& part = run.template thing<0>();
   const auto& nodes = run.nodes();
   const auto& element = part.element();
   using E = std::decay_t<decltype(element)>;
-  using RunningM = std::decay_t<decltype(part.material())>;
+  using M = Unyielding<std::decay_t<decltype(part.material())>>;
   using D = Dual<double, 3>;
-  const RunningM law{material};
+  const M law{part.material()};
   const auto size = static_cast<Eigen::Index>(3 * nodes.size());
   ElementVibration<E> mesh{
       .stiffness = Eigen::MatrixXd::Zero(size, size), .damping = Eigen::MatrixXd::Zero(size, size), .mass = 1};
 
   for (const auto& block : part.blocks()) {
-    typename E::template State<RunningM, D> begin;
+    typename E::template State<M, D> begin;
     std::ranges::copy(numbers_of<double>(block.state), numbers_of<D>(begin).begin());
     Nodal<double, E::nodes> X, V;
     std::array<std::size_t, E::nodes> cell;

@@ -38,13 +38,15 @@ struct Seen {
   double gain = 0;        // the largest ratio of that step to the least of an element
 };
 
-template <class Run, class M>
-Seen watch(Run& run, const M& unyielding, double end, std::size_t steps, std::size_t every) {
+template <class Run>
+Seen watch(Run& run, double end, std::size_t steps, std::size_t every) {
   Seen seen;
   const auto look = [&] {
     const double dt = run.stable_step().dt;
     seen.gain = std::max(seen.gain, dt / least_own_step(run));
-    seen.eigenvalue = std::max(seen.eigenvalue, testing::eigenvalue(testing::vibration(run, unyielding), dt));
+    const double eigenvalue = testing::eigenvalue(testing::vibration(run), dt);
+    REQUIRE(eigenvalue > 0.3);
+    seen.eigenvalue = std::max(seen.eigenvalue, eigenvalue);
   };
   look();
   run.until(end, StopWhen{[&] { return run.steps() >= steps; }}, [&] {
@@ -139,14 +141,9 @@ TEST_CASE("a cube in one-dimensional strain, nu = 0, allows h/c as its elements 
 }
 
 TEST_CASE("the step of the whole mesh is never above the exact limit: Taylor bars") {
-  const auto law = [](double yield_stress) {
-    auto data = taylor::mm_ms_kg;
-    data.yield_stress = yield_stress;
-    return taylor::copper(data);
-  };
   const auto check = [&](const auto& element, Index cells, Index layers) {
     auto run = taylor::bar(taylor::mm_ms_kg, cells, layers, in<double>, element, GlobalStep{});
-    const Seen seen = watch(run, law(1e9), taylor::mm_ms_kg.end, 10000, 60);
+    const Seen seen = watch(run, taylor::mm_ms_kg.end, 10000, 60);
     CHECK(seen.eigenvalue <= 1);  // seen: up to 0.95
     CHECK(seen.gain >= 1.1);
   };
@@ -159,21 +156,21 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: Taylor bar
 TEST_CASE("the step of the whole mesh is never above the exact limit: distorted cubes that strike a wall") {
   const Solid gruneisen{GruneisenEos{.density = 1, .sound_speed = 1, .S1 = 1.5, .gamma = 2},
                         ElasticStrength{.shear_modulus = 0.3}};
-  const auto check = [&](const auto& element, const auto& law, const auto& unyielding) {
+  const auto check = [&](const auto& element, const auto& law) {
     for (const double grading : {1.0, 6.0})
       for (const double speed : {1e-3, 0.03}) {
         const Mesh mesh = cube(4, grading, 0.15);
         Explicit run{Scene{mesh.nodes, Part{element, law, mesh.hexahedra}, InitialVelocity{{0, 0, -speed}},
                            RigidWall{{0, 0, -0.1}, {0, 0, 1}}},
                      ExplicitOptions{}, in<double>, GlobalStep{}};
-        const Seen seen = watch(run, unyielding, 100, 60, 20);
+        const Seen seen = watch(run, 100, 60, 20);
         INFO("grading " << grading << ", speed " << speed);
         CHECK(seen.eigenvalue <= 1);  // seen: up to 0.93
       }
   };
-  for (const double nu : {0.0, 0.3, 0.499}) check(Hex8{}, Elastic{1, 1, nu}, Elastic{1, 1, nu});
-  check(Hex8{StiffnessHourglass{0.05}}, testing::metal, testing::Metal{testing::metal.eos, {0.4, 1e9, 0}});
-  check(Hex8{ViscousHourglass{0.3}, Jaumann{}, BulkViscosity{}, EndStep{}}, gruneisen, gruneisen);
+  for (const double nu : {0.0, 0.3, 0.499}) check(Hex8{}, Elastic{1, 1, nu});
+  check(Hex8{StiffnessHourglass{0.05}}, testing::metal);
+  check(Hex8{ViscousHourglass{0.3}, Jaumann{}, BulkViscosity{}, EndStep{}}, gruneisen);
 }
 
 TEST_CASE("Taylor bar with the bound of the whole mesh: the same bar in fewer steps, and its energy in balance") {
