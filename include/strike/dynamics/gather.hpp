@@ -24,16 +24,17 @@ struct Transposer {
 
   static Vector3<T> load(const Field& field, const Places& nodes) {
     Vector3<T> a;
-    for (std::size_t l = 0; l < lanes<T>; ++l)
-      for (int c = 0; c < 3; ++c) set_lane(a(c), l, field[nodes[l]][static_cast<std::size_t>(c)]);
+    for (std::size_t l = 0; l < lanes<T>; ++l) {
+      const Padded<RealOf<T>>& node = field[nodes[l]];
+      set_lane(a(0), l, node[0]), set_lane(a(1), l, node[1]), set_lane(a(2), l, node[2]);
+    }
     return a;
   }
   static void subtract(const Vector3<T>& a, Field& field, const Places& nodes, std::size_t count) {
-    for (std::size_t l = 0; l < count; ++l)
-      for (int c = 0; c < 3; ++c) {
-        Padded<RealOf<T>>& sum = field[nodes[l]];
-        sum.set(static_cast<std::size_t>(c), sum[static_cast<std::size_t>(c)] - lane(a(c), l));
-      }
+    for (std::size_t l = 0; l < count; ++l) {
+      Padded<RealOf<T>>& node = field[nodes[l]];
+      node.set(0, node[0] - lane(a(0), l)), node.set(1, node[1] - lane(a(1), l)), node.set(2, node[2] - lane(a(2), l));
+    }
   }
 };
 

@@ -65,13 +65,15 @@ struct Hex8 {
     const T J = V * state.inverse_volume, compression = 1.0 / J;
     const T w = T(1.0 / 512.0) * state.inverse_volume * state.inverse_volume;
     const SymmetricTensor<T> S_b = w * g.squared_b(), S = S_b + w * g.squared_a();  // B B^T/V0^2
-    const T eigenvalue = largest_eigenvalue(S), shrinkage = compression * compression;
+    const T eigenvalue = largest_eigenvalue(S), shrinkage = compression * compression, edge = cbrt(V);
     const Hex8Modes<T> u = to_modes<T>(v);
     const T per_volume = compression * state.inverse_volume;  // 1/V
     const T rho = material.density() * compression, specific_volume = (1.0 / material.density()) * J;
 
     const Matrix3<T> L = g.gradient_of(u, per_volume);
     const Matrix3<T> L_mid = instant(L, dt);
+    T hourglass_overlap = T(0.0);
+    if constexpr (controlled) hourglass_overlap = overlap(S, S_b, shrinkage, m, g, per_volume);
     const Stability<T> stability{shrinkage * trace(S), shrinkage * eigenvalue, specific_volume};
 
     const Vector3<T> spin = T(dt) * axial_vector(L_mid);
@@ -93,9 +95,8 @@ struct Hex8 {
     HourglassModes<T> Q{none, none, none, none};
     T hourglass_rate = T(0.0);
     if constexpr (controlled) {
-      const HourglassElement<T> element{
-          rho,  V, T((1.0 / material.density()) * state.inverse_volume), before.wave(), before.shear, stability.trace,
-          T(dt)};
+      const T per_mass = (1.0 / material.density()) * state.inverse_volume, trace_S = stability.trace;
+      const HourglassElement<T> element{rho, V, edge, per_mass, before.wave(), before.shear, trace_S, T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
         const Vector3<T> rate_k = minus_times(u_k, L, m_k);
         if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
@@ -118,12 +119,10 @@ struct Hex8 {
     sigma += SymmetricTensor<T>::isotropic(-q);
 
     Matrix3<T> P = sigma.matrix();
-    T hourglass_overlap = T(0.0);
     if constexpr (controlled) {
       Matrix3<T> Qm = outer(Q[0], m.b1);
       add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
       P = P - per_volume * Qm;
-      hourglass_overlap = overlap(S, S_b, shrinkage, m, g, per_volume);
     }
 
     const Moduli<T> after = material.moduli(state.material, rate);

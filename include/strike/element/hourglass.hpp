@@ -14,9 +14,9 @@ using HourglassModes = std::array<Vector3<T>, 4>;
 /// What an hourglass control may know of its element.
 template <class T>
 struct HourglassElement {
-  T density, volume, per_mass;    ///< per_mass: 1/(rho V)
-  T wave_modulus, shear_modulus;  ///< rho c^2 and G
-  T gradient_squared;             ///< B_iI B_iI/V^2
+  T density, volume, edge, per_mass;  ///< edge: V^(1/3); per_mass: 1/(rho V)
+  T wave_modulus, shear_modulus;      ///< rho c^2 and G
+  T gradient_squared;                 ///< B_iI B_iI/V^2
   T dt;
 };
 
@@ -47,8 +47,7 @@ struct ViscousHourglass {
 
   template <class T>
   T damping(const HourglassElement<T>& e) const {
-    const T edge = cbrt(e.volume);
-    return (0.25 * coefficient) * edge * edge * sqrt(e.density * e.wave_modulus);
+    return (0.25 * coefficient) * e.edge * e.edge * sqrt(e.density * e.wave_modulus);
   }
   template <class T>
   HourglassModes<T> resistance(State<T>&, const HourglassElement<T>& e, const HourglassModes<T>& rates) const {
