@@ -160,8 +160,15 @@ struct Hex8 {
         Hex8Resistance<T>::in_step(material, moduli, zeta, T(0.125 * material.density() / state.inverse_volume), dt);
     if constexpr (controlled) {
       const T rho = material.density() / J;
-      const T r = dt * hourglass.critical_rate(HourglassElement<T>{rho, g.volume, per_volume / rho, moduli.wave(),
-                                                                   moduli.shear, stability.trace, T(dt)});
+      const HourglassElement<T> element{.density = rho,
+                                        .volume = g.volume,
+                                        .edge = cbrt(g.volume),
+                                        .per_mass = per_volume / rho,
+                                        .wave_modulus = moduli.wave(),
+                                        .shear_modulus = moduli.shear,
+                                        .gradient_squared = stability.trace,
+                                        .dt = T(dt)};
+      const T r = dt * hourglass.critical_rate(element);
       constexpr bool stiff = requires(const Hourglass h, const HourglassElement<T> e) { h.stiffness(e); };
       resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * (stiff ? T(r * r) : max(r, T(r * r)));
     }
