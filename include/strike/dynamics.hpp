@@ -4,10 +4,12 @@
 #include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/explicit.hpp>
 #include <strike/dynamics/gather.hpp>
+#include <strike/dynamics/global_step.hpp>
 #include <strike/dynamics/ledger.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/openmp.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/dynamics/scene.hpp>
+#include <strike/dynamics/step_bound.hpp>
 #include <strike/dynamics/stop_when.hpp>

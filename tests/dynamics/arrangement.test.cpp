@@ -83,6 +83,15 @@ TEMPLATE_TEST_CASE("neither numbers nor threads change a bit of the results", ""
 #endif
 }
 
+TEST_CASE("nor do they with the bound of the whole mesh") {
+  const std::uint64_t natural = hash_of(Numbered(0, 0), GlobalStep{});
+  CHECK(hash_of(Numbered(2, 3), GlobalStep{}) == natural);
+#ifdef _OPENMP
+  CHECK(hash_of(Numbered(0, 0), GlobalStep{}, OpenMP{2}) == natural);
+  CHECK(hash_of(Numbered(2, 3), OpenMP{3}, GlobalStep{}) == natural);
+#endif
+}
+
 TEST_CASE("elements are told by the numbers that they were given") {
   const Numbered natural(0, 0), numbered(2, 3);
   const auto middles = [](const Numbered& n) {

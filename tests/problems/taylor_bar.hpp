@@ -29,13 +29,14 @@ inline auto copper(const Data& data) {
                         .hardening_modulus = data.hardening_modulus}};
 }
 
-template <class T, class E = Hex8<>>
-auto bar(const Data& data, Index cells, Index layers, In<T> number, const E& element = {}) {
+template <class T, class E = Hex8<>, class... Policies>
+auto bar(const Data& data, Index cells, Index layers, In<T> number, const E& element = {},
+         const Policies&... policies) {
   const Mesh mesh = cylinder({.radius = data.radius, .length = data.length, .cells = cells, .layers = layers});
   const auto on = [&](Axis axis) { return nodes_where(mesh.nodes, on_plane(axis, 0)); };
   return Explicit{Scene{mesh.nodes, Part{element, copper(data), mesh.hexahedra}, InitialVelocity{{0, 0, -data.speed}},
                         Symmetry{Axis::x, on(Axis::x)}, Symmetry{Axis::y, on(Axis::y)}, Symmetry{Axis::z, on(Axis::z)}},
-                  ExplicitOptions{}, number};
+                  ExplicitOptions{}, number, policies...};
 }
 
 template <class Run>

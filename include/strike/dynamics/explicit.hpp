@@ -28,8 +28,10 @@ struct ExplicitOptions {
 
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
 /// Between two steps it holds x, f at the time n and v half a step before. Policies, after the options and in any
-/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`) and execution (`OpenMP{}`).
-template <class Numbers, class Execution, class... Things>
+/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`) and what bounds the
+/// step
+/// (`GlobalStep{}`).
+template <class Numbers, class Execution, class Bound, class... Things>
 class Explicit {
  public:
   using Real = typename Numbers::NodeReal;
@@ -38,11 +40,11 @@ class Explicit {
   template <class... Policies>
   explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, const Policies&... policies)
       : Explicit(std::move(scene), options, detail::pick<detail::IsExecution>(policies..., Serial{}),
-                 detail::arrange(scene)) {
+                 detail::pick<detail::IsStepBound>(policies..., ElementStep{}), detail::arrange(scene)) {
     static_assert(
         (detail::is_policy<Policies> && ...),
-        "strike: the policies of Explicit, after its options, are its numbers, such as in<Pack<float>>, and its "
-        "execution, such as OpenMP{}.");
+        "strike: the policies of Explicit, after its options, are its numbers, such as in<Pack<float>>, its execution, "
+        "such as OpenMP{}, and the bound of its step, such as GlobalStep{}.");
   }
 
   /// One step: from n to n + 1.
@@ -80,6 +82,8 @@ class Explicit {
   double dt() const { return step_.dt; }
   /// The element that allows the least step, and that step before the factor.
   const StableStep& stable_step() const { return stable_; }
+  /// What bounds the step, at work.
+  const auto& step_bound() const { return bound_; }
   /// What the user should know before believing the results, a sentence each.
   std::vector<std::string> notices() const {
     std::vector<std::string> all;
@@ -120,12 +124,13 @@ class Explicit {
   }
 
  private:
-  using Running = std::tuple<typename detail::Running<Things, Numbers>::type...>;
+  using Running = std::tuple<typename detail::Running<Things, Numbers, Bound>::type...>;
 
-  Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution,
+  Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution, const Bound& bound,
            detail::Arrangement arrangement)
       : options_(options),
         execution_(execution),
+        bound_(bound),
         nodes_(scene.nodes, std::move(arrangement.nodes)),
         things_(start(std::move(scene.things), nodes_, std::move(arrangement.cells))),
         kinetic_(detail::chunks(nodes_.size())) {
@@ -156,7 +161,7 @@ class Explicit {
     std::size_t number = 0;
     return std::apply(
         [&](auto&... thing) {
-          return Running{detail::Running<Things, Numbers>::start(std::move(thing), nodes, orders, number)...};
+          return Running{detail::Running<Things, Numbers, Bound>::start(std::move(thing), nodes, orders, number)...};
         },
         things);
   }
@@ -292,6 +297,7 @@ class Explicit {
         if (mine.dt < stable_.dt) stable_ = mine;
       }
     });
+    bound_.extend(stable_, nodes_, things_, execution_);
   }
 
   void push() {
@@ -325,6 +331,7 @@ class Explicit {
 
   ExplicitOptions options_;
   Execution execution_;
+  [[no_unique_address]] typename Bound::template Running<Nodes, Running> bound_;
   Nodes nodes_;
   Running things_;
   std::vector<double> kinetic_;  // twice the kinetic energy of each chunk of nodes
@@ -338,23 +345,27 @@ class Explicit {
   double end_ = std::numeric_limits<double>::infinity();
 };
 
-/// A scene that the compiler has already complained about gets no second complaint.
-template <class Numbers, class Execution, class... Things>
-requires(!Scene<Things...>::sound || !Numbers::is_scalar ||
-         !detail::is_available<Execution>()) class Explicit<Numbers, Execution, Things...> {
+/// A scene that the compiler complains about gets no second complaint.
+template <class Numbers, class Execution, class Bound, class... Things>
+requires(!Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_available<Execution>() ||
+         !detail::is_bounded<Bound, Things...>) class Explicit<Numbers, Execution, Bound, Things...> {
  public:
   explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {
     static_assert(detail::is_available<Execution>(),
                   "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp.");
+    static_assert(!Scene<Things...>::sound || detail::is_bounded<Bound, Things...>,
+                  "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
+                  "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
   }
   void step() {}
   void until(auto&&...) {}
 };
 
 template <class... Things>
-Explicit(Scene<Things...>) -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, Things...>;
+Explicit(Scene<Things...>) -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, detail::StepBoundOf<>, Things...>;
 template <class... Things, class... Policies>
 Explicit(Scene<Things...>, ExplicitOptions, Policies...)
-    -> Explicit<detail::NumbersOf<Policies...>, detail::ExecutionOf<Policies...>, Things...>;
+    -> Explicit<detail::NumbersOf<Policies...>, detail::ExecutionOf<Policies...>, detail::StepBoundOf<Policies...>,
+                Things...>;
 
 }  // namespace strike

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <strike/dynamics/execution.hpp>
+#include <strike/dynamics/step_bound.hpp>
 #include <strike/mesh/nodes.hpp>
 #include <strike/scalar/scalar.hpp>
 
@@ -35,7 +36,10 @@ template <class P>
 struct IsExecution : std::bool_constant<Execution<P>> {};
 
 template <class P>
-inline constexpr bool is_policy = IsNumbers<P>::value || IsExecution<P>::value;
+struct IsStepBound : std::bool_constant<StepBound<P>> {};
+
+template <class P>
+inline constexpr bool is_policy = IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value;
 
 /// Whether the compiler has been told to compile this execution.
 template <class E>
@@ -58,6 +62,8 @@ template <class... Policies>
 using NumbersOf = decltype(pick<IsNumbers>(std::declval<Policies>()..., In<Pack<double>>{}));
 template <class... Policies>
 using ExecutionOf = decltype(pick<IsExecution>(std::declval<Policies>()..., Serial{}));
+template <class... Policies>
+using StepBoundOf = decltype(pick<IsStepBound>(std::declval<Policies>()..., ElementStep{}));
 
 }  // namespace detail
 

@@ -188,6 +188,12 @@ class RunningPart {
   const E& element() const { return element_; }
   const M& material() const { return material_; }
 
+  // Its blocks of elements in memory, the patches that they form, and how many lanes of a block are elements.
+  std::vector<Block>& blocks() { return blocks_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+  const detail::Patches& patches() const { return patches_; }
+  std::size_t count(std::size_t b) const { return b + 1 < blocks_.size() ? width : size_ - b * width; }
+
   /// A number per element, f(material state), the mean over the element's points: part.field([](const auto& s) { return
   /// s.stress.zz; }).
   template <class F>
@@ -305,7 +311,6 @@ class RunningPart {
   template <class Model>
   using Local = std::conditional_t<std::is_trivially_copyable_v<Model>, const Model, const Model&>;
 
-  std::size_t count(std::size_t b) const { return b + 1 < blocks_.size() ? width : size_ - b * width; }
   T busy() const {
     T ones = T(0.0);
     for (std::size_t l = 0; l < count(blocks_.size() - 1); ++l) set_lane(ones, l, Real(1));

@@ -99,6 +99,21 @@ class Patches {
     });
   }
 
+  /// The same for a field of vectors that is multiplied by a matrix into another: brings the ghosts of a patch to what
+  /// their nodes have and clears the product, ...
+  template <class Field>
+  void refresh(const Patch& patch, Field& field, Field& product) const {
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
+      field[g] = field[sources_[g - first_ghost_]];
+      product[g] = 0;
+    }
+  }
+  /// ... and adds the product at them to that at their nodes, if patch after patch then as the forces.
+  template <class Field>
+  void gather(const Patch& patch, Field& product) const {
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) product[sources_[g - first_ghost_]] += product[g];
+  }
+
  private:
   template <class N>
   auto origin(const Patch& patch, const N& nodes) const {

@@ -60,21 +60,34 @@ struct Scene {
 
 namespace detail {
 
-/// A thing of a scene at work: parts take their lanes, the rest stays as it is.
-template <class Thing, class Numbers>
+template <class Bound, class Thing>
+inline constexpr bool is_bounded_thing = true;
+template <class Bound, class E, class M, std::size_t n>
+requires(Part<E, M, n>::flaw ==
+         Flaw::none) inline constexpr bool is_bounded_thing<Bound, Part<E, M, n>> = Bound::template suits<E, M>;
+/// Whether the bound of the step has what it needs from every part.
+template <class Bound, class... Things>
+inline constexpr bool is_bounded = (is_bounded_thing<Bound, Things> && ...);
+
+/// A thing of a scene at work: parts take their lanes and what the bound of the step needs, the rest stays as it is.
+template <class Thing, class Numbers, class Bound>
 struct Running {
   using type = Thing;
   static Thing start(Thing thing, typename Numbers::Nodes&, std::vector<std::vector<Index>>&, std::size_t&) {
     return thing;
   }
 };
-template <class E, class M, std::size_t n, class Numbers>
-struct Running<Part<E, M, n>, Numbers> {
-  using type = RunningPart<E, M, typename Numbers::Number, typename Numbers::NodeReal>;
+template <class E, class M, std::size_t n, class Numbers, class Bound>
+struct Running<Part<E, M, n>, Numbers, Bound> {
+  using RunningElement = typename Bound::template Element<E>;
+  using RunningMaterial = typename Bound::template Material<M>;
+  using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, typename Numbers::NodeReal>;
   static type start(Part<E, M, n> part, typename Numbers::Nodes& nodes, std::vector<std::vector<Index>>& orders,
                     std::size_t& number) {
     const std::size_t mine = number++;
-    return type(std::move(part), nodes, mine, std::move(orders[mine]));
+    return type(
+        {RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)}, std::move(part.cells)},
+        nodes, mine, std::move(orders[mine]));
   }
 };
 

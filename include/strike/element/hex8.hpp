@@ -1,6 +1,7 @@
 #pragma once
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/hex8_modes.hpp>
+#include <strike/element/hex8_resistance.hpp>
 #include <strike/element/hourglass.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
@@ -138,6 +139,41 @@ struct Hex8 {
     if constexpr (requires { material.intact(state.material); })
       silence(material.intact(state.material) > 0.0, response);
     return response;
+  }
+
+  template <class T>
+  using Resistance = Hex8Resistance<T>;
+
+  /// What resists a small motion in a step of dt from here, the nodes at the velocities v.
+  template <class M, class T>
+  Hex8Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
+                               double dt) const {
+    const Hex8Gradient<T> g(to_modes<T>(x));
+    const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
+    const SolidKinematics::Rate<T> rate{symmetric_part(g.gradient_of(to_modes<T>(v), per_volume)), J};
+    const Moduli<T> moduli = material.moduli(state.material, rate);
+    const SymmetricTensor<T> S = T(1.0 / 512.0) * per_volume * per_volume * (g.squared_a() + g.squared_b());
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / material.density()) * J};
+    const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()),
+                                              trace(rate.rate_of_deformation));
+    Hex8Resistance<T> resistance =
+        Hex8Resistance<T>::in_step(material, moduli, zeta, T(0.125 * material.density() / state.inverse_volume), dt);
+    if constexpr (controlled) {
+      const T rho = material.density() / J;
+      const HourglassElement<T> element{.density = rho,
+                                        .volume = g.volume,
+                                        .edge = cbrt(g.volume),
+                                        .per_mass = per_volume / rho,
+                                        .wave_modulus = moduli.wave(),
+                                        .shear_modulus = moduli.shear,
+                                        .gradient_squared = stability.trace,
+                                        .dt = T(dt)};
+      const T r = dt * hourglass.critical_rate(element);
+      constexpr bool stiff = requires(const Hourglass h, const HourglassElement<T> e) { h.stiffness(e); };
+      resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * (stiff ? T(r * r) : max(r, T(r * r)));
+    }
+    if constexpr (requires { material.intact(state.material); }) resistance *= material.intact(state.material);
+    return resistance;
   }
 
  private:

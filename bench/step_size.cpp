@@ -1,0 +1,137 @@
+// How many steps the stable step of the mesh as a whole saves, and what it costs: Taylor's bar and blocks of even and
+// of graded cells with the bound of the elements and with that of the mesh.
+//
+//   build/bench/bench/step_size
+//   build/bench/bench/step_size repeats=5
+//
+// Written into out/step_size: step_size.md.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <strike/dynamics/global_step.hpp>
+#include <strike/mesh/box.hpp>
+#include <strike/output/file.hpp>
+
+#include "problems/taylor_bar.hpp"
+#include "support/options.hpp"
+
+namespace {
+
+using namespace strike;
+
+/// What a run took and found.
+struct Outcome {
+  std::size_t steps = 0, asked = 0, products = 0;
+  double seconds = 0;  // of CPU, without the set-up
+  double answer = 0;
+  double drift = 0;  // largest error of the energy balance
+};
+
+template <class Run, class Answer>
+Outcome outcome(Run run, double end, const Answer& answer) {
+  Outcome o;
+  const std::clock_t begin = std::clock();
+  run.until(end, [&] { o.drift = std::max(o.drift, std::abs(run.energy().error())); });
+  o.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  o.steps = run.steps();
+  o.answer = answer(run);
+  if constexpr (requires { run.step_bound().asked(); })
+    o.asked = run.step_bound().asked(), o.products = run.step_bound().products();
+  return o;
+}
+
+struct Problem {
+  std::string name, answer;
+  std::function<Outcome(ElementStep)> elements;
+  std::function<Outcome(GlobalStep)> mesh;
+};
+template <class Run>
+Problem problem(std::string name, std::string answer, Run run) {
+  return {std::move(name), std::move(answer), run, run};
+}
+
+/// Taylor's bar (tests/problems/taylor_bar.hpp).
+Problem taylor_bar(Index cells, Index layers) {
+  return problem(detail::joined({"Taylor bar, ", std::to_string(cells), " x ", std::to_string(layers)}),
+                 "final length [mm]", [=](const auto& bound) {
+                   return outcome(taylor::bar(taylor::mm_ms_kg, cells, layers, in<Pack<double>>, Hex8{}, bound),
+                                  taylor::mm_ms_kg.end, [](const auto& run) { return taylor::length(run); });
+                 });
+}
+
+/// A block of steel that strikes a rigid wall with its face z = 0, its cells growing away from there. Metres, seconds,
+/// kilograms.
+Problem block(std::string name, double speed, const std::array<double, 3>& grading) {
+  return problem(std::move(name), "final height [mm]", [=](const auto& bound) {
+    constexpr double size = 0.1;
+    const Mesh mesh = box({.size = {size, size, size}, .cells = {16, 16, 16}, .grading = grading});
+    const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 167e9},
+                      VonMises{.shear_modulus = 77e9, .yield_stress = 400e6, .hardening_modulus = 1e9}};
+    return outcome(Explicit{Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}, InitialVelocity{{0, 0, -speed}},
+                                  Symmetry{Axis::z, nodes_where(mesh.nodes, on_plane(Axis::z, 0))}},
+                            ExplicitOptions{}, bound},
+                   100e-6, [](const auto& run) { return 1e3 * taylor::length(run); });
+  });
+}
+
+template <class Bound>
+Outcome quickest(const std::function<Outcome(Bound)>& run, std::size_t repeats) {
+  Outcome best = run(Bound{});
+  for (std::size_t i = 1; i < repeats; ++i)
+    if (const Outcome again = run(Bound{}); again.seconds < best.seconds) best = again;
+  return best;
+}
+
+std::string number(const char* format, double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+std::string row(const Problem& problem, const Outcome& e, const Outcome& m) {
+  const auto ratio = [](auto a, auto b) { return number("%.2f", static_cast<double>(a) / static_cast<double>(b)); };
+  return detail::joined({"| ",  problem.name,
+                         " | ", std::to_string(e.steps),
+                         " | ", std::to_string(m.steps),
+                         " | ", ratio(m.steps, e.steps),
+                         " | ", number("%.3g", e.seconds),
+                         " | ", number("%.3g", m.seconds),
+                         " | ", ratio(m.seconds, e.seconds),
+                         " | ", std::to_string(m.asked),
+                         " | ", std::to_string(m.products),
+                         " | ", problem.answer,
+                         " ",   number("%.4g", e.answer),
+                         ", ",  number("%.4g", m.answer),
+                         " | ", number("%.1e", e.drift),
+                         ", ",  number("%.1e", m.drift),
+                         " |\n"});
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return examples::run(count, arguments, [](examples::Options& options) {
+    const std::size_t repeats = options.count("repeats", 3);
+    options.check();
+    std::string table =
+        "| problem | steps: elements | mesh | ratio | CPU [s]: elements | mesh | ratio | asked | products | answer | "
+        "energy error |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|---|---|\n";
+    std::printf("%s", table.c_str());
+    for (const Problem& p : {taylor_bar(2, 33), taylor_bar(3, 50), taylor_bar(4, 67), taylor_bar(6, 100),
+                             block("even block, 10 m/s", 10, {1, 1, 1}), block("even block, 100 m/s", 100, {1, 1, 1}),
+                             block("graded block, 1 to 10, 10 m/s", 10, {10, 10, 10}),
+                             block("graded block, 1 to 10, 100 m/s", 100, {10, 10, 10}),
+                             block("block of flat cells, 1 to 10 along z, 100 m/s", 100, {1, 1, 10})}) {
+      const std::string line = row(p, quickest(p.elements, repeats), quickest(p.mesh, repeats));
+      std::printf("%s", line.c_str());
+      std::fflush(stdout);
+      table += line;
+    }
+    detail::replace_file("out/step_size/step_size.md", table);
+    std::printf("\nWritten: out/step_size/step_size.md\n");
+  });
+}

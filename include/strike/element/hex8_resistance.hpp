@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+
+#include <strike/element/hex8_modes.hpp>
+#include <strike/element/hourglass.hpp>
+
+namespace strike {
+
+/// How a hexahedron with one point resists a small motion p of its nodes in a step dt: the forces (K dt^2/4 + C dt/2) p
+/// of its stiffness K and its damping C, by the letters of Hex8. Of these the step must know the largest eigenvalue
+/// over the mass, which may not be above 1.
+template <class T>
+struct Hex8Resistance {
+  T mass{};                          ///< of each node
+  T lambda{}, shear{}, hourglass{};  ///< stress = lambda tr(grad p) I + 2 shear sym(grad p); Q_k = hourglass q_k
+
+  /// Of a material with these moduli and a bulk viscosity of the coefficient zeta [stress time]: what Stability bounds.
+  template <class M>
+  static Hex8Resistance in_step(const M& material, const Moduli<T>& moduli, const T& zeta, const T& mass, double dt) {
+    const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear);
+    const double k = 0.25 * dt * dt, c = 0.5 * dt;
+    Hex8Resistance resistance{mass, k * lambda + c * zeta, k * moduli.shear};
+    if constexpr (requires { material.viscosity(); }) resistance.shear += c * material.viscosity();
+    return resistance;
+  }
+  Hex8Resistance& operator*=(const T& share) {
+    lambda *= share, shear *= share, hourglass *= share;
+    return *this;
+  }
+
+  Nodal<T, 8> operator()(const Nodal<T, 8>& x, const Nodal<T, 8>& p) const {
+    const Hex8Modes<T> m = to_modes<T>(x), u = to_modes<T>(p);
+    const Hex8Gradient<T> g(m);
+    const T per_volume = 1.0 / g.volume;
+    const Matrix3<T> L = g.gradient_of(u, per_volume);
+    const auto against = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
+      return hourglass * minus_times(u_k, L, m_k);
+    };
+    const HourglassModes<T> Q{against(u.b1, m.b1), against(u.b2, m.b2), against(u.b3, m.b3), against(u.d, m.d)};
+    Matrix3<T> Qm = outer(Q[0], m.b1);
+    add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
+    const SymmetricTensor<T> sigma =
+        SymmetricTensor<T>::isotropic(lambda * L.trace()) + T(2.0 * shear) * symmetric_part(L);
+    const Matrix3<T> P = T(1.0 / 64.0) * Matrix3<T>(sigma.matrix() - per_volume * Qm);
+    return to_nodes<T>({times(P, g.a1), times(P, g.a2), times(P, g.a3), Q[0] + times(P, g.b1), Q[1] + times(P, g.b2),
+                        Q[2] + times(P, g.b3), Q[3]});
+  }
+};
+
+}  // namespace strike
