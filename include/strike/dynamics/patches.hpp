@@ -33,7 +33,7 @@ class Patches {
         static_cast<Index>(std::find(nodes.mass().begin(), nodes.mass().end(), 0) - nodes.mass().begin());
     std::vector<Index> ghost(nodes.size()), user(nodes.size());  // user: the patch that has the ghost, from 1
     for (std::size_t first = 0; first < blocks.size(); first += size) {
-      Patch patch{first, std::min(first + size, blocks.size()), first_node, first_node, nodes.places(), 0};
+      Patch patch{first, std::min(first + size, blocks.size()), first_node, first_node, next_ghost(), 0};
       for (std::size_t b = patch.first_block; b < patch.last_block; ++b)
         for (auto& corner : blocks[b].nodes)
           for (Index& place : corner) {
@@ -41,15 +41,16 @@ class Patches {
             if (place >= first_node) continue;
             if (user[place] <= patches_.size()) {
               user[place] = static_cast<Index>(patches_.size() + 1);
-              ghost[place] = nodes.add_ghost(place);
+              ghost[place] = next_ghost();
               sources_.push_back(place);
             }
             place = ghost[place];
           }
-      patch.last_ghost = nodes.places();
+      patch.last_ghost = next_ghost();
       first_node = patch.last_node;
       patches_.push_back(patch);
     }
+    nodes.add_ghosts(sources_);
     by_source_.resize(sources_.size());
     std::iota(by_source_.begin(), by_source_.end(), Index{0});
     std::stable_sort(by_source_.begin(), by_source_.end(), [&](Index a, Index b) { return sources_[a] < sources_[b]; });
@@ -115,6 +116,7 @@ class Patches {
   }
 
  private:
+  Index next_ghost() const { return first_ghost_ + static_cast<Index>(sources_.size()); }
   template <class N>
   auto origin(const Patch& patch, const N& nodes) const {
     if constexpr (!N::elements_have_copy)

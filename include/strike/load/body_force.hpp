@@ -16,13 +16,14 @@ class BodyForce {
   template <class N>
   void push(N& nodes, double time) {
     now_ = history_(time) * acceleration_;
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.add_force(i, nodes.mass(i) * now_);
+    const auto g = N::kept(now_);
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes.force()[k] += nodes.mass()[k] * g;
   }
   template <class N>
   double power(const N& nodes) const {
-    Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < nodes.size(); ++i) momentum += nodes.mass(i) * nodes.v(i);
-    return momentum.dot(now_);
+    Padded<double> momentum = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k) momentum += Padded<double>(nodes.mass()[k] * nodes.velocity()[k]);
+    return Nodes<double>::told(momentum).dot(now_);
   }
 
  private:

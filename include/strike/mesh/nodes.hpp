@@ -75,7 +75,12 @@ struct Motion {
   NodalField<Real> position, velocity, force;
 
   explicit Motion(std::size_t places = 0) : position(places, zero()), velocity(position), force(position) {}
-  void add_place() { position.push_back(zero()), velocity.push_back(zero()), force.push_back(zero()); }
+  void resize(std::size_t places) {
+    for (NodalField<Real>* field : {&position, &velocity, &force}) {
+      field->reserve(places);  // and no more
+      field->resize(places, zero());
+    }
+  }
   static Padded<Real> zero() { return Padded<Real>(0); }
 };
 
@@ -103,9 +108,9 @@ class Nodes {
   const Eigen::Vector3d f(std::size_t i) const { return told(own_.force[place_[i]]); }
   double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
 
-  void set_position(std::size_t i, const Eigen::Vector3d& x) { set(own_.position[place_[i]], x); }
-  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { set(own_.velocity[place_[i]], v); }
-  void add_force(std::size_t i, const Eigen::Vector3d& change) { set(own_.force[place_[i]], f(i) + change); }
+  void set_position(std::size_t i, const Eigen::Vector3d& x) { own_.position[place_[i]] = kept(x); }
+  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { own_.velocity[place_[i]] = kept(v); }
+  void add_force(std::size_t i, const Eigen::Vector3d& change) { own_.force[place_[i]] = kept(f(i) + change); }
   void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Real>(m); }
 
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
@@ -127,12 +132,10 @@ class Nodes {
            std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }
 
-  /// Gives the node at a place another place behind all others, where a patch of elements has it to itself.
-  Index add_ghost(Index place) {
-    const Index ghost = places();
-    motion().add_place();
-    number_.push_back(number_[place]);
-    return ghost;
+  /// Gives the nodes at these places others behind all, where patches of elements have them to themselves.
+  void add_ghosts(const std::vector<Index>& places) {
+    motion().resize(number_.size() + places.size());
+    for (const Index place : places) number_.push_back(number_[place]);
   }
   /// How many places there are: those of the nodes, and after them those of ghosts.
   Index places() const { return static_cast<Index>(number_.size()); }
@@ -141,6 +144,15 @@ class Nodes {
   Index place(std::size_t i) const { return place_[i]; }
   Index number(std::size_t place) const { return number_[place]; }
 
+  // The fields, place by place, and how they keep a vector.
+  static Eigen::Vector3d told(const Padded<Real>& a) {
+    return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
+  }
+  static Padded<Real> kept(const Eigen::Vector3d& a) {
+    Padded<Real> b = 0;
+    b.set(0, static_cast<Real>(a.x())), b.set(1, static_cast<Real>(a.y())), b.set(2, static_cast<Real>(a.z()));
+    return b;
+  }
   NodalField<Real>& position() { return own_.position; }
   NodalField<Real>& velocity() { return own_.velocity; }
   NodalField<Real>& force() { return own_.force; }
@@ -157,13 +169,6 @@ class Nodes {
   const std::vector<Real>& mass() const { return mass_; }
 
  private:
-  static Eigen::Vector3d told(const Padded<Real>& a) {
-    return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
-  }
-  static void set(Padded<Real>& a, const Eigen::Vector3d& value) {
-    for (std::size_t c = 0; c < 3; ++c) a.set(c, static_cast<Real>(value(static_cast<Eigen::Index>(c))));
-  }
-
   struct None {};
 
   Motion<Real> own_;
