@@ -123,13 +123,17 @@ class RunningPart {
         order_(std::move(order)) {
     check_material();
     blocks_.resize((size_ + width - 1) / width);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      for (std::size_t l = 0; l < width; ++l) {
-        const auto& cell = part.cells[order_[std::min(b * width + l, size_ - 1)]];  // idle lanes repeat the last one
-        for (std::size_t i = 0; i < n; ++i) blocks_[b].nodes[i][l] = nodes.place(cell[i]);
-      }
-    }
-    patches_ = detail::Patches(blocks_, width, nodes);
+    std::vector<Index> corners;
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t l = 0; l < width; ++l)  // idle lanes repeat the last element
+          corners.push_back(nodes.place(part.cells[order_[std::min(b * width + l, size_ - 1)]][i]));
+    const auto unnamed = std::find(nodes.mass().begin(), nodes.mass().end(), 0) - nodes.mass().begin();
+    patches_ = detail::Patches(corners, blocks_.size(), width, static_cast<Index>(unnamed), nodes.places());
+    nodes.add_ghosts(patches_.sources());
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      for (std::size_t i = 0; i < n; ++i)
+        std::copy_n(&corners[(b * n + i) * width], width, blocks_[b].nodes[i].data());
     outcomes_.resize(patches_.size());
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       patches_.load(patches_[p], nodes);

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include <strike/dynamics/execution.hpp>
@@ -23,42 +22,46 @@ struct Patch {
 class Patches {
  public:
   Patches() = default;
-  /// Cuts the blocks of `lanes` elements into patches and makes them name their ghosts. Nodes lie in the order in which
-  /// elements name them; those that parts before have named have mass.
-  template <class Block, class N>
-  Patches(std::vector<Block>& blocks, std::size_t lanes, N& nodes) : first_ghost_(nodes.places()) {
+  /// Cuts blocks of `lanes` elements into patches. `corners` are the places that they name, block after block, and
+  /// become those of ghosts where they must, which begin at `first_ghost`. Nodes lie in the order in which elements
+  /// name them; those before `first_node` other parts have named.
+  Patches(std::vector<Index>& corners, std::size_t blocks, std::size_t lanes, Index first_node, Index first_ghost)
+      : first_ghost_(first_ghost) {
     constexpr std::size_t smallest = 128, largest = 2048;  // elements: some for each thread, or enough for its cache
-    const std::size_t size = std::clamp(blocks.size() * lanes / 16, smallest, largest) / lanes;
-    Index first_node =
-        static_cast<Index>(std::find(nodes.mass().begin(), nodes.mass().end(), 0) - nodes.mass().begin());
-    std::vector<Index> ghost(nodes.size()), user(nodes.size());  // user: the patch that has the ghost, from 1
-    for (std::size_t first = 0; first < blocks.size(); first += size) {
-      Patch patch{first, std::min(first + size, blocks.size()), first_node, first_node, next_ghost(), 0};
-      for (std::size_t b = patch.first_block; b < patch.last_block; ++b)
-        for (auto& corner : blocks[b].nodes)
-          for (Index& place : corner) {
-            patch.last_node = std::max(patch.last_node, place + 1);
-            if (place >= first_node) continue;
-            if (user[place] <= patches_.size()) {
-              user[place] = static_cast<Index>(patches_.size() + 1);
-              ghost[place] = next_ghost();
-              sources_.push_back(place);
-            }
-            place = ghost[place];
-          }
+    const std::size_t size = std::clamp(blocks * lanes / 16, smallest, largest) / lanes;
+    std::vector<Index> ghost(first_ghost), user(first_ghost);  // user: the patch that has the ghost, from 1
+    std::vector<Index> ghosts_before(first_ghost + 1);         // of nodes before one
+    for (std::size_t first = 0; first < blocks; first += size) {
+      const std::size_t last = std::min(first + size, blocks), block = corners.size() / blocks;
+      Patch patch{first, last, first_node, first_node, next_ghost(), 0};
+      const Index number = static_cast<Index>(patches_.size() + 1);
+      for (std::size_t k = first * block; k < last * block; ++k) {
+        Index& place = corners[k];
+        patch.last_node = std::max(patch.last_node, place + 1);
+        if (place >= first_node) continue;
+        if (user[place] != number) {
+          user[place] = number;
+          ghost[place] = next_ghost();
+          sources_.push_back(place);
+          ++ghosts_before[place + 1];
+        }
+        place = ghost[place];
+      }
       patch.last_ghost = next_ghost();
       first_node = patch.last_node;
       patches_.push_back(patch);
     }
-    nodes.add_ghosts(sources_);
+    for (Index i = 0; i < first_ghost; ++i) {
+      if (ghosts_before[i + 1] > 0) groups_.push_back(ghosts_before[i]);
+      ghosts_before[i + 1] += ghosts_before[i];
+    }
+    groups_.push_back(static_cast<Index>(sources_.size()));
     by_source_.resize(sources_.size());
-    std::iota(by_source_.begin(), by_source_.end(), Index{0});
-    std::stable_sort(by_source_.begin(), by_source_.end(), [&](Index a, Index b) { return sources_[a] < sources_[b]; });
-    for (std::size_t k = 0; k < by_source_.size(); ++k)
-      if (k == 0 || sources_[by_source_[k]] != sources_[by_source_[k - 1]]) groups_.push_back(static_cast<Index>(k));
-    groups_.push_back(static_cast<Index>(by_source_.size()));
+    for (Index g = 0; g < sources_.size(); ++g) by_source_[ghosts_before[sources_[g]]++] = g;
   }
 
+  /// Of each ghost, the place of its node.
+  const std::vector<Index>& sources() const { return sources_; }
   std::size_t size() const { return patches_.size(); }
   const Patch& operator[](std::size_t p) const { return patches_[p]; }
 
