@@ -1,15 +1,16 @@
 // How the start and the step scale with the number of elements: hexahedra of copper with linear hardening as in
-// step.bench, from what the second-level cache holds to what streams from memory, on one core.
+// step.bench, from what the second-level cache holds to what streams from memory, on one core and two.
 //
-//   build/bench/bench/scale
+//   OMP_PROC_BIND=true build/bench/bench/scale
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <strike/dynamics/explicit.hpp>
+#include <strike/dynamics/openmp.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/material/solid.hpp>
 
@@ -37,45 +38,62 @@ struct Figures {
   double start, step;  ///< [ns of CPU]
 };
 
+const Solid copper{linear, hardening};
+
+template <class... Policies>
+auto squeezed(const Mesh& mesh, Policies... policies) {
+  return Explicit{Scene{mesh.nodes, Part{Hex8{}, copper, mesh.hexahedra}, Squeeze{1e3}}, {}, policies...};
+}
+std::size_t steps(const Mesh& mesh) { return std::max<std::size_t>(4, 1000000 / mesh.hexahedra.size()); }
+template <class Run>
+void advance(Run& run, std::size_t steps) {
+  for (std::size_t i = 0; i < steps; ++i) run.step();
+}
+constexpr int repeats = 9;
+
 template <class Numbers>
-Figures measure(const std::array<Index, 3>& cells, Numbers numbers) {
-  const double elements = double(cells[0]) * cells[1] * cells[2];
-  const Mesh mesh = bar(cells);
-  const Solid copper{linear, hardening};
-  const auto begin = [&] {
-    return Explicit{Scene{mesh.nodes, Part{Hex8{}, copper, mesh.hexahedra}, Squeeze{1e3}}, {}, numbers};
-  };
+Figures measure(const Mesh& mesh, Numbers numbers) {
+  const double elements = static_cast<double>(mesh.hexahedra.size());
   const double before = memory();
-  std::optional<decltype(begin())> run;
-  const double start = cpu_seconds([&] { run.emplace(begin()); });
+  std::optional<decltype(squeezed(mesh, numbers))> run;
+  const double start = cpu_seconds([&] { run.emplace(squeezed(mesh, numbers)); });
   const double held = memory() - before;
 
-  const int steps = std::max(4, static_cast<int>(1e6 / elements));
   std::vector<double> times;
-  for (int repeat = 0; repeat < 9; ++repeat)
-    times.push_back(cpu_seconds([&] {
-      for (int i = 0; i < steps; ++i) run->step();
-    }));
-  return {held / elements, 1e9 * start / elements, 1e9 * median(times) / steps / elements};
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    times.push_back(cpu_seconds([&] { advance(*run, steps(mesh)); }) / static_cast<double>(steps(mesh)));
+  return {held / elements, 1e9 * start / elements, 1e9 * median(times) / elements};
+}
+
+/// How many times as quick two threads are as one, by the clock on the wall, in turns.
+double speed_up(const Mesh& mesh) {
+  auto one = squeezed(mesh);
+  auto two = squeezed(mesh, OpenMP{.threads = 2});
+  std::vector<double> ratios;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    const double alone = wall_seconds([&] { advance(one, steps(mesh)); });
+    ratios.push_back(alone / wall_seconds([&] { advance(two, steps(mesh)); }));
+  }
+  return median(ratios);
 }
 
 }  // namespace
 
 int main() {
   std::fputs(head({"hexahedra", "bytes an element, double", "float", "mixed", "start [steps]", "step [ns], double",
-                   "float", "mixed"})
+                   "float", "mixed", "two threads"})
                  .c_str(),
              stdout);
-  for (const Index n : {159u, 100u, 46u, 22u, 10u}) {  // the largest first: memory that was given back is not asked for
-    const std::array<Index, 3> cells{n, n, n};
-    const Figures wide = measure(cells, in<Pack<double>>), narrow = measure(cells, in<Pack<float>>),
-                  mixed = measure(cells, in<Pack<float>, double>);
-    std::fputs(
-        row({formatted("%.0f", double(n) * n * n), formatted("%.0f", wide.bytes), formatted("%.0f", narrow.bytes),
-             formatted("%.0f", mixed.bytes), formatted("%.0f", wide.start / wide.step), formatted("%.1f", wide.step),
-             formatted("%.1f", narrow.step), formatted("%.1f", mixed.step)})
-            .c_str(),
-        stdout);
+  for (const Index n : {159u, 100u, 46u, 22u, 11u}) {  // the largest first: memory that was given back is not asked for
+    const Mesh mesh = bar({n, n, n});
+    const Figures wide = measure(mesh, in<Pack<double>>), narrow = measure(mesh, in<Pack<float>>),
+                  mixed = measure(mesh, in<Pack<float>, double>);
+    const auto bytes = [](const Figures& f) { return f.bytes > 0 ? formatted("%.0f", f.bytes) : ""; };
+    std::fputs(row({std::to_string(mesh.hexahedra.size()), bytes(wide), bytes(narrow), bytes(mixed),
+                    formatted("%.0f", wide.start / wide.step), formatted("%.1f", wide.step),
+                    formatted("%.1f", narrow.step), formatted("%.1f", mixed.step), formatted("%.2f x", speed_up(mesh))})
+                   .c_str(),
+               stdout);
     std::fflush(stdout);
   }
 }

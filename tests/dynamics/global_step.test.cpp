@@ -120,7 +120,7 @@ TEST_CASE("the resistance of a hexahedron is its stiffness and its damping, of a
   }
 }
 
-TEST_CASE("a cube in one-dimensional strain, nu = 0, allows h/c as its elements do; at nu = 0.35 more than they") {
+TEST_CASE("a cube in one-dimensional strain, nu = 0, allows h/c as its elements do, and at nu = 0.35 more than they") {
   const Mesh mesh = cube(8);
   for (const double nu : {0.0, 0.35}) {
     const Elastic law{1, 1, nu};

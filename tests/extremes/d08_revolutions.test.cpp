@@ -19,12 +19,13 @@ using revolutions::unit_solid;
 
 namespace {
 
-/// Angular velocity w about z.
+/// Angular velocity w about z, but that one node moves away by a millionth of its velocity.
 struct Spin {
   double w;
   template <class N>
   void begin(N& nodes) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, {-w * nodes.x(i).y(), w * nodes.x(i).x(), 0});
+    nodes.set_velocity(0, (1 + 1e-6) * nodes.v(0));
   }
 };
 
@@ -99,16 +100,16 @@ TEST_CASE("D8: a free elastic cube spins a hundred times and keeps its angular m
   const double w = 0.02;  // a strain of 1e-4, 0.014 in a step
   auto run = spinning_cube(Hex8{}, w);
   run.step();
-  const Eigen::Vector3d before = angular_momentum(run);
+  const Eigen::Vector3d before = angular_momentum(run), momentum = run.momentum();
   run.until(2 * std::numbers::pi / w * 100);  // some 4e4 steps
   CHECK((angular_momentum(run) - before).norm() < 1e-9 * before.norm());
   CHECK(std::abs(run.energy().error()) < 2e-4);  // its elastic energy is 1e-4 of the kinetic
-  CHECK(run.momentum().norm() < 1e-12 * w);
+  CHECK((run.momentum() - momentum).norm() < 1e-12 * w);
 }
 
 TEST_CASE("D8: if the stress answered askew by half the angle of a step, that cube would shake itself to pieces") {
   const double w = 0.02;
   auto run = spinning_cube(Hex8{ViscousHourglass{}, HughesWinget{}, BulkViscosity{}, Askew{}}, w);
-  CHECK_THROWS_WITH(run.until(2 * std::numbers::pi / w * 20),
+  CHECK_THROWS_WITH(run.until(2 * std::numbers::pi / w * 10),
                     Catch::Matchers::ContainsSubstring("the energy balance is off"));
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -21,18 +22,22 @@ class RigidWall {
 
   template <class N>
   void begin(const N& nodes) {
-    if (!everywhere_) return;
-    nodes_.resize(nodes.size());
-    for (std::size_t k = 0; k < nodes.size(); ++k) nodes_[k] = nodes.number(k);  // as they lie in memory
+    if (everywhere_) {
+      places_.resize(nodes.size());
+      std::iota(places_.begin(), places_.end(), Index{0});
+    } else {
+      for (const Index i : nodes_) places_.push_back(nodes.place(i));
+    }
   }
 
   template <class N, class Ledger>
   void touch(N& nodes, const Step& step, Ledger& ledger) {
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
-    for (const Index i : nodes_) {
-      const Eigen::Vector3d x = nodes.x(i), v = nodes.v(i);
+    for (const Index place : places_) {
+      const Eigen::Vector3d x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
       const double approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
+      const Index i = nodes.number(place);
       const Eigen::Vector3d away = nodes.free(i, normal_);
       const double yielding =
           away.dot(normal_);  // 1 where the node is free to move along the normal, 0 where it is not
@@ -62,7 +67,7 @@ class RigidWall {
   Eigen::Vector3d point_, normal_;
   double friction_;
   bool everywhere_ = false;
-  std::vector<Index> nodes_;
+  std::vector<Index> nodes_, places_;
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero(), impulse_ = Eigen::Vector3d::Zero();
 };
 
