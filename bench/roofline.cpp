@@ -82,8 +82,8 @@ double flops_around(const Share& share) { return 8 * 3 + 3 * (7 + 2) * share.nod
 
 /// The bytes that one element and its share of the nodes stream in a step. The nodes pass by three times:
 ///   kick    reads v, f, m, writes v
-///   drift   reads x, v, writes x, f
-///   deform  reads x, v, f, writes f; the eight elements at a node meet it in the cache
+///   drift   reads x, v, writes x
+///   deform  reads x, v, writes f; the eight elements at a node meet it in the cache
 /// and if elements work on a copy of other precision, they write its x, v, f, which stay in the cache until they are
 /// done. The ghosts pass by twice, with their indices:
 ///   load          reads x, v of the node, writes x, v, f
@@ -93,7 +93,7 @@ template <class Part, class T, class Real>
 double bytes(const Share& share) {
   constexpr std::size_t vector = sizeof(Padded<Real>), mass = sizeof(Real), element_vector = sizeof(Padded<RealOf<T>>);
   constexpr std::size_t copy = Part::Nodes::elements_have_copy ? 3 * element_vector : 0;
-  constexpr std::size_t node = (3 * vector + mass) + 4 * vector + 4 * vector + copy;
+  constexpr std::size_t node = (3 * vector + mass) + 3 * vector + 3 * vector + copy;
   constexpr std::size_t ghost = (2 * vector + 3 * element_vector) + (element_vector + 2 * vector) + 4 * sizeof(Index);
   constexpr std::size_t block = sizeof(typename Part::Block) + sizeof(typename Part::State);
   return double(block) / double(Part::width) + double(node) * share.nodes + double(ghost) * share.ghosts;

@@ -20,7 +20,7 @@ namespace {
 
 template <class E>
 void calls_each_once(const E& execution) {
-  for (const std::size_t n : {0, 1, 2, 7, 100}) {
+  for (const std::size_t n : std::vector<std::size_t>{0, 1, 2, 7, 100}) {
     std::vector<int> calls(n);
     execution.for_each(n, [&](std::size_t k) { ++calls[k]; });
     CHECK(calls == std::vector<int>(n, 1));
