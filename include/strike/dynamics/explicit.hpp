@@ -29,8 +29,7 @@ struct ExplicitOptions {
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
 /// Between two steps it holds x, f at the time n and v half a step before. Policies, after the options and in any
 /// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`) and what bounds the
-/// step
-/// (`GlobalStep{}`).
+/// step (`GlobalStep{}`).
 template <class Numbers, class Execution, class Bound, class... Things>
 class Explicit {
  public:

@@ -132,8 +132,7 @@ class RunningPart {
     patches_ = detail::Patches(corners, blocks_.size(), width, static_cast<Index>(unnamed), nodes.places());
     nodes.add_ghosts(patches_.sources());
     for (std::size_t b = 0; b < blocks_.size(); ++b)
-      for (std::size_t i = 0; i < n; ++i)
-        std::copy_n(&corners[(b * n + i) * width], width, blocks_[b].nodes[i].data());
+      for (std::size_t i = 0; i < n; ++i) std::copy_n(&corners[(b * n + i) * width], width, blocks_[b].nodes[i].data());
     outcomes_.resize(patches_.size());
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       patches_.load(patches_[p], nodes);
@@ -231,7 +230,7 @@ class RunningPart {
     }
   }
 
-  /// Asks the machine to fetch a block, which takes it longer than it thinks.
+  /// Asks for a block before its turn: what streams from memory comes late if the machine guesses alone.
   static void prefetch(const Block& block) {
     const char* begin = reinterpret_cast<const char*>(&block);
     [&]<std::size_t... line>(std::index_sequence<line...>) { (__builtin_prefetch(begin + 64 * line, 1), ...); }

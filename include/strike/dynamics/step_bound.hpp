@@ -11,8 +11,7 @@ namespace strike {
 /// - `Element<E>` and `Material<M>`: what parts work with instead of E and M so that the bound knows what it needs,
 ///   and whether that `suits<E, M>`;
 /// - `Running<Nodes, Things>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces
-/// of a step,
-///   replaces the least stable step of all elements by a larger one that is as safe.
+///   of a step, replaces the least stable step of all elements by a larger one that is as safe.
 template <class B>
 concept StepBound = std::copyable<B> && requires {
   typename B::template Running<Nodes<double>, std::tuple<>>;
