@@ -261,7 +261,7 @@ class RunningPart {
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
       Block& block = blocks_[b];
       prefetch(blocks_[std::min(b + 2, blocks_.size() - 1)]);
-      State state = block.state;
+      std::conditional_t<state_is_small, State, State&> state = block.state;
       const Nodal<T, E::nodes> x = gather<T, n>(motion.position, block.nodes);
       const Velocities v{motion.velocity, block.nodes};
       const Response<T, E::nodes> response = [&] {
@@ -270,7 +270,7 @@ class RunningPart {
         else
           return element.advance(state, material, x, Nodal<T, E::nodes>(v), dt);
       }();
-      block.state = state;
+      if constexpr (state_is_small) block.state = state;
       scatter_subtract<T, n>(response.force, motion.force, block.nodes, count(b));
 
       const T number = T(static_cast<double>(b - patch.first_block));
@@ -316,6 +316,9 @@ class RunningPart {
     return detail::joined({"element ", std::to_string(order_[p]), " of part ", std::to_string(number_), " at ",
                            detail::text((1.0 / static_cast<double>(n)) * sum)});
   }
+
+  /// A state whose numbers may stay in registers while its element works on them.
+  static constexpr bool state_is_small = sizeof(State) <= 32 * sizeof(T);
 
   /// A model whose numbers no store into a block can change, so that they stay in registers; one that owns tables is
   /// not copied.
