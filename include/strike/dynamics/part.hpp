@@ -192,7 +192,6 @@ class RunningPart {
   const M& material() const { return material_; }
 
   // Its blocks of elements in memory, the patches that they form, and how many lanes of a block are elements.
-  std::vector<Block>& blocks() { return blocks_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   const detail::Patches& patches() const { return patches_; }
   std::size_t count(std::size_t b) const { return b + 1 < blocks_.size() ? width : size_ - b * width; }
