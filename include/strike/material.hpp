@@ -7,6 +7,7 @@
 #include <strike/material/eos/polynomial.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/fluid.hpp>
+#include <strike/material/kinematics.hpp>
 #include <strike/material/material.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/johnson_cook.hpp>

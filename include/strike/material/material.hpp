@@ -1,46 +1,22 @@
 #pragma once
 #include <concepts>
 
-#include <strike/tensor/tensor.hpp>
+#include <strike/material/kinematics.hpp>
 
 namespace strike {
-
-/// What a solid element measures in a step and what it gets for it: the conjugate pair of the solids.
-struct SolidKinematics {
-  template <class T>
-  struct Rate {
-    SymmetricTensor<T> rate_of_deformation;  ///< D = sym(L) at mid-step [1/time]
-    T relative_volume{1.0};                  ///< V/V0 at the end of the step
-  };
-  template <class T>
-  using Stress = SymmetricTensor<T>;  ///< Cauchy stress, tension positive
-};
-
-/// The change of a volume v in a step of volumetric strain theta = tr(D) dt at mid-step: v_new - v_old, exact to third
-/// order.
-template <class T>
-T volume_increment(const T& v_new, const T& theta) {
-  return v_new * (theta / (1.0 + 0.5 * theta));
-}
-
-/// Bulk and shear modulus of a material as it stands: they bound its tangent, rho c^2 = bulk + 4/3 shear.
-template <class T>
-struct Moduli {
-  T bulk, shear;
-
-  /// rho c^2 = K + 4/3 G.
-  T wave() const { return bulk + T(4.0 / 3.0) * shear; }
-};
 
 /// A material: the rate of deformation in, the stress out. It knows no rotation, no mesh and no time loop.
 ///
 /// A model has
-/// - `Kinematics`, the pair of measure and stress, and `State<T>`, what it remembers, an aggregate that begins at rest;
-/// - `density()`, in the reference configuration;
+/// - `Kinematics`, the pair of measure and stress (strike/material/kinematics.hpp), and `State<T>`, what it remembers,
+/// an aggregate that begins at rest;
+/// - `density()`, in the reference configuration: mass per volume, of a plate's section per area;
 /// - `stress(state, rate, dt)`: advances the state over dt and returns the stress at its end; `stress(state)`: the part
 /// of
 ///   it that is remembered;
 /// - `moduli(state, rate)`;
+/// - a section its `thickness()` and `rotary_inertia()`, int rho z^2 dz [mass]; a point of it `normal_rate(state, rate,
+/// dt, change)`, d_zz of the step that changed its stress so;
 /// - if it remembers spatial tensors, `state.spatial_tensors()`, a tuple of references: the element turns them;
 /// - if its state does not begin at zero, `begin(state)`; if it is viscous, `viscosity()`; if it can fail,
 /// `intact(state)`: 1, or 0 once failed; if it knows its energy,
@@ -53,11 +29,17 @@ concept Material = requires(const M m, typename M::template State<double> state,
   { m.density() } -> std::convertible_to<double>;
   { m.stress(state, rate, dt) } -> std::same_as<typename M::Kinematics::template Stress<double>>;
   { m.stress(state) } -> std::convertible_to<typename M::Kinematics::template Stress<double>>;
-  { m.moduli(state, rate) } -> std::same_as<Moduli<double>>;
+  { m.moduli(state, rate) } -> std::same_as<typename M::Kinematics::template Moduli<double>>;
 };
 
 /// Materials of solid elements.
 template <class M>
 concept SolidMaterial = Material<M> && std::same_as<typename M::Kinematics, SolidKinematics>;
+/// Materials of the layers of a plate.
+template <class M>
+concept PlaneMaterial = Material<M> && std::same_as<typename M::Kinematics, PlaneStressKinematics>;
+/// Sections, the materials of plates.
+template <class M>
+concept PlateSection = Material<M> && std::same_as<typename M::Kinematics, PlateKinematics>;
 
 }  // namespace strike
