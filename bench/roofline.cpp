@@ -92,7 +92,7 @@ double flops_around(const Share& share) { return 8 * 3 + 3 * (7 + 2) * share.nod
 template <class Part, class T, class Real>
 double bytes(const Share& share) {
   constexpr std::size_t vector = sizeof(Padded<Real>), mass = sizeof(Real), element_vector = sizeof(Padded<RealOf<T>>);
-  constexpr std::size_t copy = Part::Nodes::elements_have_copy ? 3 * element_vector : 0;
+  constexpr std::size_t copy = sizeof(RealOf<T>) != sizeof(Real) ? 3 * element_vector : 0;
   constexpr std::size_t node = (3 * vector + mass) + 3 * vector + 3 * vector + copy;
   constexpr std::size_t ghost = (2 * vector + 3 * element_vector) + (element_vector + 2 * vector) + 4 * sizeof(Index);
   constexpr std::size_t block = sizeof(typename Part::Block) + sizeof(typename Part::State);
@@ -102,7 +102,7 @@ double bytes(const Share& share) {
 /// The bytes that they occupy.
 template <class Part, class T, class Real>
 double footprint(const Share& share) {
-  constexpr std::size_t ghost = 3 * sizeof(Padded<RealOf<T>>), copy = Part::Nodes::elements_have_copy ? ghost : 0;
+  constexpr std::size_t ghost = 3 * sizeof(Padded<RealOf<T>>), copy = sizeof(RealOf<T>) != sizeof(Real) ? ghost : 0;
   constexpr std::size_t node = 3 * sizeof(Padded<Real>) + sizeof(Real) + copy;
   return double(sizeof(typename Part::Block)) / double(Part::width) + double(node) * share.nodes +
          double(ghost) * share.ghosts;
@@ -153,7 +153,7 @@ class Table {
 
   template <class E, class M, class T, class Real>
   void add(const std::string& name, const E& element, const M& material, const Counts& count, In<T, Real> numbers) {
-    using Part = RunningPart<E, M, T, Real>;
+    using Part = RunningPart<E, M, T, Nodes<Real, RealOf<T>>>;
     constexpr bool in_double = sizeof(RealOf<T>) == sizeof(double), mixed = sizeof(RealOf<T>) != sizeof(Real);
     const auto start = [=, this] { return squeezed(mesh_, element, material, numbers); };
     const double elements = double(mesh_.hexahedra.size()), nodes = double(mesh_.nodes.size());

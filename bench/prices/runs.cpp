@@ -2,7 +2,7 @@
 #include <strike/dynamics/openmp.hpp>
 #include <strike/load/body_force.hpp>
 #include <strike/load/initial_velocity.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/output/history.hpp>
 #include <strike/output/vtu.hpp>

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <strike/dynamics/every.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/select.hpp>

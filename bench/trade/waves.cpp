@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <strike/load/initial_velocity.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/von_mises.hpp>

@@ -6,5 +6,9 @@
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hex8_points.hpp>
 #include <strike/element/hourglass.hpp>
+#include <strike/element/plate4.hpp>
+#include <strike/element/plate4_modes.hpp>
+#include <strike/element/plate_hourglass.hpp>
+#include <strike/element/plate_warping.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>

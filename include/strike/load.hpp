@@ -4,4 +4,4 @@
 #include <strike/load/initial_velocity.hpp>
 #include <strike/load/prescribed_motion.hpp>
 #include <strike/load/pressure.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>

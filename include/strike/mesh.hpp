@@ -7,6 +7,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/order.hpp>
 #include <strike/mesh/select.hpp>
+#include <strike/mesh/sheet.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/tetrahedra.hpp>
 #include <strike/mesh/transform.hpp>

@@ -7,7 +7,7 @@
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/load/prescribed_motion.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/solid.hpp>

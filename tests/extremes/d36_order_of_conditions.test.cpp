@@ -6,7 +6,7 @@
 #include <strike/element/hex8.hpp>
 #include <strike/load/initial_velocity.hpp>
 #include <strike/load/prescribed_motion.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/select.hpp>
 

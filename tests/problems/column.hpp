@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <strike/dynamics/explicit.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/select.hpp>
 

@@ -6,7 +6,7 @@
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/load/pressure.hpp>
-#include <strike/load/symmetry.hpp>
+#include <strike/load/support.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/von_mises.hpp>

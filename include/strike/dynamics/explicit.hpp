@@ -34,7 +34,7 @@ template <class Numbers, class Execution, class Bound, class... Things>
 class Explicit {
  public:
   using Real = typename Numbers::NodeReal;
-  using Nodes = typename Numbers::Nodes;
+  using Nodes = typename Numbers::template Nodes<Scene<Things...>::nodes_turn>;
 
   template <class... Policies>
   explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, const Policies&... policies)
@@ -123,7 +123,7 @@ class Explicit {
   }
 
  private:
-  using Running = std::tuple<typename detail::Running<Things, Numbers, Bound>::type...>;
+  using Running = std::tuple<typename detail::Running<Things, Numbers, Nodes, Bound>::type...>;
 
   Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution, const Bound& bound,
            detail::Arrangement arrangement)
@@ -137,12 +137,16 @@ class Explicit {
       if (!(nodes_.mass(i) > 0))
         throw Error(detail::joined({"strike: node ", std::to_string(i), " at ", place(i),
                                     " has no mass, for it belongs to no element; remove it."}));
+    if constexpr (Nodes::nodes_turn)
+      for (std::size_t i = 0; i < nodes_.size(); ++i)
+        if (!(nodes_.inertia(i) > 0)) nodes_.add_inertia(i, nodes_.mass(i));  // nothing will turn it
     each([&](auto& thing) {
       if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
     });
     double mass = 0, rounding = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       ledger_.kinetic += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
+      if constexpr (Nodes::nodes_turn) ledger_.kinetic += 0.5 * nodes_.inertia(i) * nodes_.w(i).squaredNorm();
       mass += nodes_.mass(i);
       rounding = std::max(rounding, nodes_.resolution(i));
     }
@@ -160,7 +164,8 @@ class Explicit {
     std::size_t number = 0;
     return std::apply(
         [&](auto&... thing) {
-          return Running{detail::Running<Things, Numbers, Bound>::start(std::move(thing), nodes, orders, number)...};
+          return Running{
+              detail::Running<Things, Numbers, Nodes, Bound>::start(std::move(thing), nodes, orders, number)...};
         },
         things);
   }
@@ -203,17 +208,24 @@ class Explicit {
     step_ = {step_.number + 1, clock_.time(), before, dt};
   }
 
-  /// v += kick f/m. Collects the kinetic energy m v-.v+/2 but for the impulses of the constraints, which the ledger
-  /// knows.
+  /// v += kick f/m, and of nodes that turn w += kick moment/inertia. Collects the kinetic energy m v-.v+/2 but for the
+  /// impulses of the constraints, which the ledger knows.
   void kick() {
     const Real kick = static_cast<Real>(step_.kick());
     detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
       Padded<double> kinetic = 0;
-      for (std::size_t i = first; i < last; ++i) {
-        const Real m = nodes_.mass()[i];
-        const Padded<Real> v = nodes_.velocity()[i], after = v + Padded<Real>(kick / m) * nodes_.force()[i];
+      const auto kicked = [&](Real m, const Padded<Real>& v, const Padded<Real>& f) {
+        const Padded<Real> after = v + Padded<Real>(kick / m) * f;
         kinetic += Padded<double>(Padded<Real>(m) * v * after);
-        nodes_.velocity()[i] = after;
+        return after;
+      };
+      for (std::size_t i = first; i < last; ++i) {
+        auto& v = nodes_.velocity()[i];
+        v = kicked(nodes_.mass()[i], v, nodes_.force()[i]);
+        if constexpr (Nodes::nodes_turn) {
+          auto& w = nodes_.angular_velocity()[i];
+          w = kicked(nodes_.inertia()[i], w, nodes_.moment()[i]);
+        }
       }
       kinetic_[k] = kinetic[0] + kinetic[1] + kinetic[2];
     });
@@ -249,7 +261,10 @@ class Explicit {
   /// -(kick f)^2/(2 m).)
   void begin_balance() {
     double power = 0;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) power += nodes_.f(i).dot(nodes_.v(i));
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      power += nodes_.f(i).dot(nodes_.v(i));
+      if constexpr (Nodes::nodes_turn) power += nodes_.moment(i).dot(nodes_.w(i));
+    }
     ledger_.kinetic -= 0.5 * step_.kick() * power;
     ledger_.initial += ledger_.kinetic - energy_.kinetic;
   }

@@ -133,12 +133,25 @@ Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<RealOf<T>>& fie
   return a;
 }
 
-/// field -= f for the first `count` lanes, node after node and lane after lane.
+/// Those of two fields, the second behind the first.
 template <class T, std::size_t n>
-void scatter_subtract(const Eigen::Matrix<T, 3, static_cast<int>(n)>& f, NodalField<RealOf<T>>& field,
-                      const BlockNodes<n, lanes<T>>& nodes, std::size_t count) {
+Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<RealOf<T>>& first,
+                                                    const NodalField<RealOf<T>>& second,
+                                                    const BlockNodes<n, lanes<T>>& nodes) {
+  Eigen::Matrix<T, 3, static_cast<int>(2 * n)> a;
+  detail::for_each_corner<n>([&](std::size_t i) {
+    set_column(a, i, detail::Transposer<T>::load(first, nodes[i]));
+    set_column(a, n + i, detail::Transposer<T>::load(second, nodes[i]));
+  });
+  return a;
+}
+
+/// field -= f for the first `count` lanes, node after node and lane after lane; f from its column `first` on.
+template <class T, std::size_t n, int m>
+void scatter_subtract(const Eigen::Matrix<T, 3, m>& f, NodalField<RealOf<T>>& field,
+                      const BlockNodes<n, lanes<T>>& nodes, std::size_t count, std::size_t first = 0) {
   detail::for_each_corner<n>(
-      [&](std::size_t i) { detail::Transposer<T>::subtract(column(f, i), field, nodes[i], count); });
+      [&](std::size_t i) { detail::Transposer<T>::subtract(column(f, first + i), field, nodes[i], count); });
 }
 
 }  // namespace strike

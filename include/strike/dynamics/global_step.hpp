@@ -89,8 +89,8 @@ template <class Thing>
 struct AskedBlocksOf {
   using type = NoPart;
 };
-template <class E, class M, class T, class Real>
-struct AskedBlocksOf<RunningPart<E, M, T, Real>> {
+template <class E, class M, class T, class Nodes>
+struct AskedBlocksOf<RunningPart<E, M, T, Nodes>> {
   using type = std::vector<AskedBlock<E, T>>;
 };
 template <class Things>
@@ -364,8 +364,8 @@ class GlobalStep::Running {
       const auto& corners = part.blocks()[b].nodes;
       const Nodal<T, static_cast<int>(n)> f =
           blocks[b].resistance(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q_, corners));
-      scatter_subtract<T, n>(f.unaryExpr([&](const T& f_i) -> T { return select(asked, f_i, T(0.0)); }), resistance_,
-                             corners, part.count(b));
+      scatter_subtract<T, n>(f.unaryExpr([&](const T& f_i) -> T { return select(asked, f_i, T(0.0)); }).eval(),
+                             resistance_, corners, part.count(b));
     }
   }
 

@@ -17,7 +17,8 @@ template <class T, class Node = RealOf<T>>
 struct In {
   using Number = T;
   using NodeReal = Node;
-  using Nodes = strike::Nodes<Node, RealOf<T>>;
+  template <bool turn>
+  using Nodes = strike::Nodes<Node, RealOf<T>, turn>;
   static constexpr bool is_scalar = Scalar<T>;
   static_assert(is_scalar,
                 "strike: in<T> names the number in the formulas: double, Pack<double, N>, Pack<float, N> or a Dual.");

@@ -99,12 +99,10 @@ struct StableStep {
   std::size_t part = 0;
 };
 
-/// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`, Real the one
-/// at the nodes.
-template <class E, class M, class T, class Real = RealOf<T>>
+/// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
+template <class E, class M, class T, class Nodes = strike::Nodes<RealOf<T>, RealOf<T>, turns_nodes<E>()>>
 class RunningPart {
  public:
-  using Nodes = strike::Nodes<Real, RealOf<T>>;
   static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
   static constexpr std::size_t width = lanes<T>;
   using State = typename E::template State<M, T>;
@@ -218,13 +216,17 @@ class RunningPart {
   /// Sets the elements of a block at rest and gives their masses to the nodes.
   void begin(std::size_t b, Nodes& nodes) {
     Block& block = blocks_[b];
-    const T mass = element_.begin(block.state, material_, gather<T, n>(nodes.motion().position, block.nodes));
+    const auto given = element_.begin(block.state, material_, gather<T, n>(nodes.motion().position, block.nodes));
+    const T mass = mass_of(given);
     for (std::size_t l = 0; l < count(b); ++l) {
       check_resolution(nodes, b * width + l);
       if (!(lane(mass, l) > 0))
         throw Error(detail::joined({"strike: ", describe_at(nodes, b * width + l),
                                     " has no positive mass; its corners are in the wrong order or coincide."}));
-      for (const Index i : cell(nodes, b * width + l)) nodes.add_mass(i, static_cast<double>(lane(mass, l)));
+      for (const Index i : cell(nodes, b * width + l)) {
+        nodes.add_mass(i, static_cast<double>(lane(mass, l)));
+        if constexpr (turns_nodes<E>()) nodes.add_inertia(i, static_cast<double>(lane(given.inertia, l)));
+      }
       mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
     }
   }
@@ -236,12 +238,23 @@ class RunningPart {
     (std::make_index_sequence<sizeof(Block) / 64>{});
   }
 
+  static T mass_of(const T& mass) { return mass; }
+  static T mass_of(const NodalInertia<T>& given) { return given.mass; }
+
+  using Motion = std::decay_t<decltype(std::declval<Nodes&>().motion())>;
+  using Vectors = Nodal<T, motions<E>>;
+
   /// Velocities that are gathered when an element that knows how to wait asks for them.
   struct Velocities {
-    const NodalField<RealOf<T>>& field;
+    const Motion& motion;
     const BlockNodes<n, width>& nodes;
 
-    operator Nodal<T, E::nodes>() const { return gather<T, n>(field, nodes); }
+    operator Vectors() const {
+      if constexpr (turns_nodes<E>())
+        return gather<T, n>(motion.velocity, motion.angular_velocity, nodes);
+      else
+        return gather<T, n>(motion.velocity, nodes);
+    }
   };
 
   /// What a patch tells after a step; elements by their places.
@@ -251,7 +264,7 @@ class RunningPart {
     double internal_work = 0, hourglass_work = 0, bulk_viscosity_work = 0;
   };
 
-  [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Motion<RealOf<T>>& motion, double dt) {
+  [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Motion& motion, double dt) {
     T rate = T(0.0), slowest = T(0.0);
     T inverted_volume = T(1.0), inverted = T(0.0);
     T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
@@ -262,15 +275,16 @@ class RunningPart {
       prefetch(blocks_[std::min(b + 2, blocks_.size() - 1)]);
       std::conditional_t<state_is_small, State, State&> state = block.state;
       const Nodal<T, E::nodes> x = gather<T, n>(motion.position, block.nodes);
-      const Velocities v{motion.velocity, block.nodes};
-      const Response<T, E::nodes> response = [&] {
+      const Velocities v{motion, block.nodes};
+      const Response<T, motions<E>> response = [&] {
         if constexpr (requires { element.advance(state, material, x, v, dt); })
           return element.advance(state, material, x, v, dt);
         else
-          return element.advance(state, material, x, Nodal<T, E::nodes>(v), dt);
+          return element.advance(state, material, x, Vectors(v), dt);
       }();
       if constexpr (state_is_small) block.state = state;
       scatter_subtract<T, n>(response.force, motion.force, block.nodes, count(b));
+      if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(response.force, motion.moment, block.nodes, count(b), n);
 
       const T number = T(static_cast<double>(b - patch.first_block));
       slowest = select(rate < response.critical_rate, number, slowest);
@@ -326,7 +340,7 @@ class RunningPart {
 
   T busy() const {
     T ones = T(0.0);
-    for (std::size_t l = 0; l < count(blocks_.size() - 1); ++l) set_lane(ones, l, Real(1));
+    for (std::size_t l = 0; l < count(blocks_.size() - 1); ++l) set_lane(ones, l, RealOf<T>(1));
     return ones;
   }
 

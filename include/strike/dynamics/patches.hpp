@@ -76,12 +76,16 @@ class Patches {
       motion.position[to] = Copy(nodes.position()[from] - origin);
       motion.velocity[to] = Copy(nodes.velocity()[from]);
       motion.force[to] = 0;
+      if constexpr (N::nodes_turn) {
+        motion.angular_velocity[to] = Copy(nodes.angular_velocity()[from]);
+        motion.moment[to] = 0;
+      }
     };
     for (Index i = patch.first_node; i < patch.last_node; ++i) {
       if constexpr (N::elements_have_copy)
         copy(i, i);
       else
-        nodes.force()[i] = 0;
+        clear(nodes, i);
     }
     for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) copy(sources_[g - first_ghost_], g);
   }
@@ -90,16 +94,22 @@ class Patches {
   void store(const Patch& patch, N& nodes) const {
     using Sum = std::decay_t<decltype(nodes.force()[0])>;
     if constexpr (N::elements_have_copy)
-      for (Index i = patch.first_node; i < patch.last_node; ++i) nodes.force()[i] = Sum(nodes.motion().force[i]);
+      for (Index i = patch.first_node; i < patch.last_node; ++i) {
+        nodes.force()[i] = Sum(nodes.motion().force[i]);
+        if constexpr (N::nodes_turn) nodes.moment()[i] = Sum(nodes.motion().moment[i]);
+      }
   }
-  /// Adds the forces on the ghosts to those on the nodes, patch after patch.
+  /// Adds the forces (and moments) on the ghosts to those on the nodes, patch after patch.
   template <class N, class Execution>
   void store_ghosts(N& nodes, const Execution& execution) const {
     using Sum = std::decay_t<decltype(nodes.force()[0])>;
     for_each_chunk(execution, groups_.size() - 1, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
-        for (Index i = groups_[k]; i < groups_[k + 1]; ++i)
-          nodes.force()[sources_[by_source_[i]]] += Sum(nodes.motion().force[first_ghost_ + by_source_[i]]);
+        for (Index i = groups_[k]; i < groups_[k + 1]; ++i) {
+          const Index node = sources_[by_source_[i]], ghost = first_ghost_ + by_source_[i];
+          nodes.force()[node] += Sum(nodes.motion().force[ghost]);
+          if constexpr (N::nodes_turn) nodes.moment()[node] += Sum(nodes.motion().moment[ghost]);
+        }
     });
   }
 
@@ -119,6 +129,11 @@ class Patches {
   }
 
  private:
+  template <class N>
+  static void clear(N& nodes, Index i) {
+    nodes.force()[i] = 0;
+    if constexpr (N::nodes_turn) nodes.moment()[i] = 0;
+  }
   Index next_ghost() const { return first_ghost_ + static_cast<Index>(sources_.size()); }
   template <class N>
   auto origin(const Patch& patch, const N& nodes) const {

@@ -15,6 +15,11 @@ template <class E, class M, std::size_t n>
 inline constexpr bool is_part<Part<E, M, n>> = true;
 
 template <class Thing>
+inline constexpr bool turns_nodes_of = false;
+template <class E, class M, std::size_t n>
+inline constexpr bool turns_nodes_of<Part<E, M, n>> = turns_nodes<E>();
+
+template <class Thing>
 concept HasAVerb = requires(Thing thing, Nodes<double> nodes) {
   thing.begin(nodes);
 }
@@ -48,6 +53,8 @@ struct Scene {
       "strike: one of the things in this Scene is neither a Part nor has one of the verbs begin(nodes), push(nodes, "
       "time), constrain(nodes, step, ledger) and touch(nodes, step, ledger).");
   static_assert((detail::is_part<Things> || ...), "strike: a Scene needs at least one Part.");
+  /// Whether any of its elements turns its nodes.
+  static constexpr bool nodes_turn = (detail::turns_nodes_of<Things> || ...);
   /// Whether the compiler has not complained about any of its things.
   static constexpr bool sound = (detail::is_sound<Things>() && ...) && (detail::is_part<Things> || ...);
 
@@ -70,20 +77,17 @@ template <class Bound, class... Things>
 inline constexpr bool is_bounded = (is_bounded_thing<Bound, Things> && ...);
 
 /// A thing of a scene at work: parts take their lanes and what the bound of the step needs, the rest stays as it is.
-template <class Thing, class Numbers, class Bound>
+template <class Thing, class Numbers, class Nodes, class Bound>
 struct Running {
   using type = Thing;
-  static Thing start(Thing thing, typename Numbers::Nodes&, std::vector<std::vector<Index>>&, std::size_t&) {
-    return thing;
-  }
+  static Thing start(Thing thing, Nodes&, std::vector<std::vector<Index>>&, std::size_t&) { return thing; }
 };
-template <class E, class M, std::size_t n, class Numbers, class Bound>
-struct Running<Part<E, M, n>, Numbers, Bound> {
+template <class E, class M, std::size_t n, class Numbers, class Nodes, class Bound>
+struct Running<Part<E, M, n>, Numbers, Nodes, Bound> {
   using RunningElement = typename Bound::template Element<E>;
   using RunningMaterial = typename Bound::template Material<M>;
-  using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, typename Numbers::NodeReal>;
-  static type start(Part<E, M, n> part, typename Numbers::Nodes& nodes, std::vector<std::vector<Index>>& orders,
-                    std::size_t& number) {
+  using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, Nodes>;
+  static type start(Part<E, M, n> part, Nodes& nodes, std::vector<std::vector<Index>>& orders, std::size_t& number) {
     const std::size_t mine = number++;
     return type(
         {RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)}, std::move(part.cells)},

@@ -1,6 +1,7 @@
 #pragma once
 #include <concepts>
 #include <tuple>
+#include <type_traits>
 
 #include <strike/material/elastic.hpp>
 #include <strike/material/material.hpp>
@@ -8,15 +9,34 @@
 
 namespace strike {
 
-/// Values at the n nodes of an element, a column each.
+/// Vectors at the n nodes of an element, a column each.
 template <class T, int n>
 using Nodal = Eigen::Matrix<T, 3, n>;
 
-/// What an element answers to a step.
+/// Whether an element turns its nodes, which then have angular velocities and feel moments.
+template <class E>
+constexpr bool turns_nodes() {
+  if constexpr (requires { E::turns_nodes; })
+    return E::turns_nodes;
+  else
+    return false;
+}
+/// How many vectors tell the motion of an element: the velocities of its nodes, and if these turn their angular
+/// velocities behind them. As many tell its forces, and moments.
+template <class E>
+inline constexpr int motions = turns_nodes<E>() ? 2 * E::nodes : E::nodes;
+
+/// What an element gives to each of its nodes that turn.
+template <class T>
+struct NodalInertia {
+  T mass, inertia;  ///< inertia: moment of inertia about any axis [mass length^2]
+};
+
+/// What an element answers to a step; n is the number of its `motions`.
 template <class T, int n>
 struct Response {
   Nodal<T, n> force;      ///< on the element's nodes that deform it, B sigma: the mesh feels its negative
-  T volume;               ///< at the end of the step; not positive: the element is inverted
+  T volume;               ///< or area, at the end of the step; not positive: the element is inverted
   T critical_rate;        ///< one over the largest step that this element alone allows next
   T internal_work;        ///< done on the material in the step
   T hourglass_work;       ///< done against the hourglass control
@@ -29,18 +49,20 @@ struct Response {
 /// A model has
 /// - `Kinematics`, which must be the material's, and the number of its `nodes`;
 /// - `State<M, T>`: what it remembers, with `each_point(f)` over the states of its material points;
-/// - `begin(state, material, x)`: sets the state at rest at the positions x and returns the mass of each of its nodes;
+/// - `begin(state, material, x)`: sets the state at rest at the positions x and returns the mass of each of its nodes,
+/// or their NodalInertia if it says that it `turns_nodes`;
 /// - `advance(state, material, x, v, dt)`: advances the state over the step dt that ended at the positions x, through
 /// which
-///   the nodes moved at the velocities v, and returns the Response.
+///   the nodes moved at the velocities v, `motions` columns, and returns the Response.
 /// Laws (see tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
 /// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
 /// and creates no energy.
 template <class E, class M = Elastic>
 concept Element = std::same_as<typename E::Kinematics, typename M::Kinematics> &&
-    requires(const E e, typename E::template State<M, double> state, const M m, const Nodal<double, E::nodes> x) {
-  { e.begin(state, m, x) } -> std::convertible_to<double>;
-  { e.advance(state, m, x, x, 1.0) } -> std::same_as<Response<double, E::nodes>>;
+    requires(const E e, typename E::template State<M, double> state, const M m, const Nodal<double, E::nodes> x,
+             const Nodal<double, motions<E>> v) {
+  { e.begin(state, m, x) } -> std::convertible_to<std::conditional_t<turns_nodes<E>(), NodalInertia<double>, double>>;
+  { e.advance(state, m, x, v, 1.0) } -> std::same_as<Response<double, motions<E>>>;
 };
 
 /// Turns every spatial tensor that the state declares.

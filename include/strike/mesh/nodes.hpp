@@ -69,8 +69,9 @@ using Padded = Pack<Real, 4>;
 template <class Real>
 using NodalField = std::vector<Padded<Real>>;
 
-/// What elements read and write: positions, velocities and forces, place by place.
-template <class Real>
+/// What elements read and write, place by place: positions, velocities and forces, and of nodes that turn angular
+/// velocities and moments.
+template <class Real, bool turn = false>
 struct Motion {
   NodalField<Real> position, velocity, force;
 
@@ -83,19 +84,35 @@ struct Motion {
   }
   static Padded<Real> zero() { return Padded<Real>(0); }
 };
+template <class Real>
+struct Motion<Real, true> : Motion<Real> {
+  NodalField<Real> angular_velocity, moment;
 
-/// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass. They
-/// are kept in Real and told and given in double. Node i lies in memory at place(i), chosen for locality. Elements work
-/// on `motion()` of ElementReal: the nodes' own, or if that is of another precision a copy.
-template <class Real, class ElementReal = Real>
+  explicit Motion(std::size_t places = 0)
+      : Motion<Real>(places), angular_velocity(places, this->zero()), moment(angular_velocity) {}
+  void resize(std::size_t places) {
+    Motion<Real>::resize(places);
+    for (NodalField<Real>* field : {&angular_velocity, &moment}) {
+      field->reserve(places);
+      field->resize(places, this->zero());
+    }
+  }
+};
+
+/// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass; where
+/// elements turn them (`turn`) their angular velocity w and moment too, and one moment of inertia for all directions.
+/// They are kept in Real and told and given in double. Node i lies in memory at place(i), chosen for locality. Elements
+/// work on `motion()` of ElementReal: the nodes' own, or if that is of another precision a copy.
+template <class Real, class ElementReal = Real, bool turn = false>
 class Nodes {
  public:
-  static constexpr bool elements_have_copy = !std::is_same_v<Real, ElementReal>;
+  static constexpr bool elements_have_copy = !std::is_same_v<Real, ElementReal>, nodes_turn = turn;
 
   /// `order` names every node once, in the order of their places.
   Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order)
       : own_(X.size()), mass_(X.size()), number_(std::move(order)), place_(X.size()) {
-    if constexpr (elements_have_copy) copy_ = Motion<ElementReal>(X.size());
+    if constexpr (elements_have_copy) copy_ = Motion<ElementReal, turn>(X.size());
+    if constexpr (turn) inertia_.resize(X.size());
     for (std::size_t k = 0; k < number_.size(); ++k) place_[number_[k]] = static_cast<Index>(k);
     for (std::size_t i = 0; i < X.size(); ++i) set_position(i, X[i]);
   }
@@ -107,20 +124,29 @@ class Nodes {
   const Eigen::Vector3d v(std::size_t i) const { return told(own_.velocity[place_[i]]); }
   const Eigen::Vector3d f(std::size_t i) const { return told(own_.force[place_[i]]); }
   double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
+  const Eigen::Vector3d w(std::size_t i) const { return told(own_.angular_velocity[place_[i]]); }
+  const Eigen::Vector3d moment(std::size_t i) const { return told(own_.moment[place_[i]]); }
+  double inertia(std::size_t i) const { return static_cast<double>(inertia_[place_[i]]); }
 
   void set_position(std::size_t i, const Eigen::Vector3d& x) { own_.position[place_[i]] = kept(x); }
   void set_velocity(std::size_t i, const Eigen::Vector3d& v) { own_.velocity[place_[i]] = kept(v); }
   void add_force(std::size_t i, const Eigen::Vector3d& change) { own_.force[place_[i]] = kept(f(i) + change); }
   void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Real>(m); }
+  void set_angular_velocity(std::size_t i, const Eigen::Vector3d& w) { own_.angular_velocity[place_[i]] = kept(w); }
+  void add_moment(std::size_t i, const Eigen::Vector3d& change) { own_.moment[place_[i]] = kept(moment(i) + change); }
+  void add_inertia(std::size_t i, double I) { inertia_[place_[i]] += static_cast<Real>(I); }
 
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
   /// right angles to all directions taken before, or zero. Which motions are left does not depend on the order.
   /// Errors: no such node; one of two directions that are not at right angles is prescribed.
   Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& direction, Held how = Held::still) {
-    if (i >= size())
-      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
-                                  std::to_string(size()), " nodes; count them from 0."}));
+    check_number(i);
     return held_.hold(i, x(i), direction, how);
+  }
+  /// The same for an axis about which the node could turn.
+  Eigen::Vector3d hold_turn(std::size_t i, const Eigen::Vector3d& axis, Held how = Held::still) {
+    check_number(i);
+    return held_turns_.hold(i, x(i), axis, how);
   }
   /// The part of a vector along which node i is free to move.
   Eigen::Vector3d free(std::size_t i, const Eigen::Vector3d& a) const { return held_.free(i, a); }
@@ -160,22 +186,33 @@ class Nodes {
   const NodalField<Real>& velocity() const { return own_.velocity; }
   const NodalField<Real>& force() const { return own_.force; }
   /// What elements work on.
-  Motion<ElementReal>& motion() {
+  Motion<ElementReal, turn>& motion() {
     if constexpr (elements_have_copy)
       return copy_;
     else
       return own_;
   }
+  NodalField<Real>& angular_velocity() { return own_.angular_velocity; }
+  NodalField<Real>& moment() { return own_.moment; }
+  const NodalField<Real>& angular_velocity() const { return own_.angular_velocity; }
+  const NodalField<Real>& moment() const { return own_.moment; }
   const std::vector<Real>& mass() const { return mass_; }
+  const std::vector<Real>& inertia() const { return inertia_; }
 
  private:
   struct None {};
 
-  Motion<Real> own_;
-  [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal>, None> copy_;
-  std::vector<Real> mass_;
+  void check_number(std::size_t i) const {
+    if (i >= size())
+      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
+                                  std::to_string(size()), " nodes; count them from 0."}));
+  }
+
+  Motion<Real, turn> own_;
+  [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal, turn>, None> copy_;
+  std::vector<Real> mass_, inertia_;
   std::vector<Index> number_, place_;
-  detail::HeldDirections held_;
+  detail::HeldDirections held_, held_turns_;
 };
 
 /// A step in time as those see it who push or hold nodes: it begins at `time`, `dt` long, after one of `dt_before`.

@@ -1,0 +1,254 @@
+#pragma once
+#include <type_traits>
+#include <utility>
+
+#include <strike/element/plate4_modes.hpp>
+#include <strike/element/plate_hourglass.hpp>
+#include <strike/element/plate_warping.hpp>
+#include <strike/element/solid_point.hpp>
+#include <strike/element/stable_step.hpp>
+
+namespace strike {
+
+/// The thickness of a plate stays what it was.
+struct ConstantThickness {
+  template <class T>
+  struct State {};
+
+  template <class T>
+  T relative(const State<T>&) const {
+    return T(1.0);
+  }
+  template <class T>
+  void advance(State<T>&, const T&, double) const {}
+};
+
+/// The thickness of a plate follows the strain across it, h' = h d_zz.
+struct ThicknessChange {
+  template <class T>
+  struct State {
+    T relative{1.0};  ///< h/h0
+  };
+
+  template <class T>
+  T relative(const State<T>& state) const {
+    return state.relative;
+  }
+  template <class T>
+  void advance(State<T>& state, const T& normal_rate, double dt) const {
+    const T half = (0.5 * dt) * normal_rate;
+    state.relative *= (1.0 + half) / (1.0 - half);
+  }
+};
+
+/// The four-node Mindlin plate of Belytschko, Lin and Tsay (1984) with one point in its plane and three rotations at a
+/// node, written in its own modes. Strain is measured in the middle of the step, so that a rotation strains nothing;
+/// the stresses live in the plate's frame, which does not depend on the numbering. Its material is a section. Policies:
+/// hourglass control, what it makes of a warp, and whether its thickness changes.
+///   Plate4{}   Plate4{PlateHourglass{.membrane = 0.01}}   Plate4{PlateHourglass{}, BelytschkoWongChiang{}}
+template <class Hourglass = PlateHourglass, class Warping = RigidOffset, class Thickness = ConstantThickness>
+struct Plate4 {
+  [[no_unique_address]] Hourglass hourglass{};
+  [[no_unique_address]] Warping warping{};
+  [[no_unique_address]] Thickness thickness{};
+
+  using Kinematics = PlateKinematics;
+  static constexpr int nodes = 4;
+  static constexpr bool turns_nodes = true;
+
+  template <class Section, class T>
+  struct State {
+    T inverse_area{};  ///< 1/A0
+    [[no_unique_address]] typename Thickness::template State<T> thickness{};
+    [[no_unique_address]] typename Hourglass::template State<T> hourglass{};
+    [[no_unique_address]] typename Section::template State<T> material{};
+
+    template <class F>
+    void each_point(F f) const {
+      f(material);
+    }
+  };
+
+  template <class Section, class T>
+  NodalInertia<T> begin(State<Section, T>& state, const Section& material, const Nodal<T, 4>& x) const {
+    if constexpr (requires { material.begin(state.material); }) material.begin(state.material);
+    const Plate4Modes<T> m = to_plate_modes<T>(x);
+    const T A = Plate4Frame<T>(m.xi, m.eta).area;
+    state.inverse_area = 1.0 / A;
+    const T mass = (0.25 * material.density()) * A;
+    return {mass, mass * gyration_squared(material, A)};
+  }
+
+  /// `v` has the velocities of the four nodes, and behind them their angular velocities.
+  template <class Section, class T>
+  Response<T, 8> advance(State<Section, T>& state, const Section& material, const Nodal<T, 4>& x, const Nodal<T, 8>& v,
+                         double dt) const {
+    const Plate4Modes<T> m = to_plate_modes<T>(x);
+    Plate4Modes<T> u = to_plate_modes<T>(v), w = to_plate_modes<T>(v, 4);
+    const auto [rate, rates, middle] = measure(m, u, w, dt);
+
+    const Plate4Frame<T> frame(m.xi, m.eta);
+    const T& A = frame.area;
+    const T dA = volume_increment<T>(A, dt * trace(rate.membrane));
+    const T h = material.thickness() * thickness.relative(state.thickness);
+    const PlateKinematics::Rate<T> felt{rate.membrane, rate.curvature, rate.shear, thickness.relative(state.thickness)};
+    const PlateKinematics::Stress<T> before = material.stress(std::as_const(state.material));
+    const PlateKinematics::Stress<T> stress = material.stress(state.material, felt, dt);
+    thickness.advance(state.thickness, stress.normal_rate, dt);
+
+    Response<T, 8> response;
+    response.volume = select(dot(middle, frame.normal) > 0.0, A, -A);
+    response.internal_work = 0.5 * dt * (T(A - dA) * power(before, rate) + A * power(stress, rate));
+    response.bulk_viscosity_work = T(0.0);
+    response.hourglass_work = T(0.0);
+
+    // Forces on the modes: of N on the tangents, of M on their turn by a right angle, of Q on both.
+    const Vector3<T>& e3 = frame.normal;
+    const PlaneTensor<T> N = A * frame.turned(stress.force), M = A * frame.turned(stress.moment);
+    const Vector2<T> Q = frame.turned(stress.shear(0), stress.shear(1));
+    const T Q_xi = A * Q(0), Q_eta = A * Q(1);
+    const Vector3<T> c_xi = cross(e3, m.xi), c_eta = cross(e3, m.eta);
+    Plate4Modes<T> F, G;
+    F.xi = N.xx * m.xi + N.xy * m.eta + Q_xi * e3;
+    F.eta = N.xy * m.xi + N.yy * m.eta + Q_eta * e3;
+    G.xi = M.xx * c_xi + M.xy * c_eta;
+    G.eta = M.xy * c_xi + M.yy * c_eta;
+    G.s = (0.25 * Q_xi) * c_xi + (0.25 * Q_eta) * c_eta;
+    F.s = F.h = G.h = Vector3<T>{T(0.0), T(0.0), T(0.0)};
+
+    const typename PlateKinematics::Moduli<T> moduli = material.moduli(state.material, felt);
+    const PlaneTensor<T> bb = frame.gradient_squared();
+    const T z = dot(e3, m.h);
+    const Vector2<T> h_local = frame.in_plane(m.h), p = frame.turned(h_local(0), h_local(1));
+    PlateHourglassStiffness<T> control{T(0.0), T(0.0), T(0.0)};
+    if constexpr (controlled) {
+      control = hourglass.stiffness(PlateHourglassElement<T, PlateKinematics::Moduli<T>>{A, h, trace(bb), moduli});
+      response.hourglass_work = resist(state.hourglass, control, rates, dt);
+      const auto& R = state.hourglass;
+      const Vector3<T> e1 = frame.e1(), e2 = frame.e2();
+      const Vector3<T> R_u = R.membrane(0) * e1 + R.membrane(1) * e2 + R.shear * e3,
+                       R_w = R.bending(0) * e1 + R.bending(1) * e2;
+      F.h = R_u, F.xi = F.xi - p(0) * R_u, F.eta = F.eta - p(1) * R_u;
+      G.h = R_w, G.xi = G.xi - p(0) * R_w, G.eta = G.eta - p(1) * R_w;
+    }
+    warping.forces(frame, z, F, G);
+    to_plate_nodes(F, response.force);
+    to_plate_nodes(G, response.force, 4);
+
+    response.critical_rate = critical_rate(material, state, moduli, control, bb, A, z, p);
+    if constexpr (requires { material.intact(state.material); })
+      silence(material.intact(state.material) > 0.0, response);
+    return response;
+  }
+
+ private:
+  static constexpr bool controlled = !std::is_same_v<Hourglass, NoPlateHourglass>;
+
+  /// Moment of inertia per mass: that of the section, but not so little that the rotations and not the membrane would
+  /// limit the step, A/8 (after Hughes, Cohen and Haroun 1978).
+  template <class Section, class T>
+  static T gyration_squared(const Section& material, const T& A) {
+    return max(T(material.rotary_inertia() / material.density()), 0.125 * A);
+  }
+
+  template <class T>
+  struct Measure {
+    PlateKinematics::Rate<T> rate;
+    PlateHourglassModes<T> hourglass;
+    Vector3<T> normal;  // in the middle of the step
+  };
+
+  /// The rates in the middle of the step, from the modes at its end.
+  template <class T>
+  Measure<T> measure(const Plate4Modes<T>& m, Plate4Modes<T>& u, Plate4Modes<T>& w, double dt) const {
+    const T back = T(-0.5 * dt);
+    const Plate4Frame<T> frame(m.xi + back * u.xi, m.eta + back * u.eta);
+    const Vector3<T> m_h = m.h + back * u.h;
+    const Vector3<T>& e3 = frame.normal;
+    const T z = dot(e3, m_h);
+    warping.rates(frame, z, u, w);
+
+    const Vector3<T>&m_xi = frame.m_xi, &m_eta = frame.m_eta;
+    const Vector3<T> c_xi = cross(e3, m_xi), c_eta = cross(e3, m_eta);
+    Measure<T> measure;
+    PlateKinematics::Rate<T>& rate = measure.rate;
+    rate.membrane = frame.turned({dot(m_xi, u.xi), dot(m_eta, u.eta), 0.5 * (dot(m_xi, u.eta) + dot(m_eta, u.xi))});
+    rate.curvature = frame.turned({dot(c_xi, w.xi), dot(c_eta, w.eta), 0.5 * (dot(c_xi, w.eta) + dot(c_eta, w.xi))});
+    rate.shear = frame.turned(dot(e3, u.xi) + 0.25 * dot(c_xi, w.s), dot(e3, u.eta) + 0.25 * dot(c_eta, w.s));
+    if constexpr (controlled) {
+      // gamma.f = f_h - p.(f_xi, f_eta), p the components of m_h along the tangents
+      const Vector2<T> h_local = frame.in_plane(m_h), p = frame.turned(h_local(0), h_local(1));
+      const Vector3<T> q_u = u.h - p(0) * u.xi - p(1) * u.eta, q_w = w.h - p(0) * w.xi - p(1) * w.eta;
+      measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), dot(e3, q_u)};
+    }
+    measure.normal = e3;
+    return measure;
+  }
+
+  /// N : membrane + M : curvature + Q . shear.
+  template <class T>
+  static T power(const PlateKinematics::Stress<T>& stress, const PlateKinematics::Rate<T>& rate) {
+    return double_dot(stress.force, rate.membrane) + double_dot(stress.moment, rate.curvature) +
+           stress.shear(0) * rate.shear(0) + stress.shear(1) * rate.shear(1);
+  }
+
+  /// Advances the resistance R by k q dt and returns the work done against the mean of R before and after.
+  template <class T>
+  static T resist(PlateHourglassModes<T>& R, const PlateHourglassStiffness<T>& stiffness,
+                  const PlateHourglassModes<T>& rates, double dt) {
+    T work = T(0.0);
+    const auto advance = [&](T& resistance, const T& k, const T& q) {
+      const T change = k * (dt * q);
+      work += (resistance + 0.5 * change) * (dt * q);
+      resistance += change;
+    };
+    for (int i = 0; i < 2; ++i) {
+      advance(R.membrane(i), stiffness.membrane, rates.membrane(i));
+      advance(R.bending(i), stiffness.bending, rates.bending(i));
+    }
+    advance(R.shear, stiffness.shear, rates.shear);
+    return work;
+  }
+
+  /// One over the largest stable step. For nodal masses m = mu A0/4 and moments of inertia I the frequencies of the
+  /// membrane and of bending are bounded as those of a solid (stable_step.hpp) with the section's stiffness,
+  ///   w^2 <= (A/m) (lambda tr S + 2 G L1(S)),   S_ij = b_iI b_jI,
+  /// where both together take the larger eigenvalue of [extension/m, coupling/sqrt(m I); ., bending/I], in which the
+  /// warp may give rotations a lever on the membrane; those of the transverse shear, which moves other modes, by
+  ///   w^2 <= A K (L1(S)/m + 1/(4 I)).
+  /// Control adds 4 k/m in h and what its vectors gamma = h - p_i Lambda_i share with the others.
+  template <class Section, class T>
+  T critical_rate(const Section& material, const State<Section, T>& state, const PlateKinematics::Moduli<T>& moduli,
+                  const PlateHourglassStiffness<T>& control, const PlaneTensor<T>& S, const T& A, const T& z,
+                  const Vector2<T>& p) const {
+    const T A0 = 1.0 / state.inverse_area, per_mass = (4.0 / material.density()) * state.inverse_area;
+    const T per_gyration = 1.0 / gyration_squared(material, A0);  // m/I
+    const T L1 = largest_eigenvalue(S), trace_S = trace(S);
+    const T l = warping.lever(z);
+    const auto both = [&](const T& a, const T& b, const T& c) -> T {
+      return largest_eigenvalue(
+          PlaneTensor<T>{a, per_gyration * (l * l * a + 2.0 * l * abs(b) + c), sqrt(per_gyration) * (l * a + abs(b))});
+    };
+    const auto lambda = [](const PlaneModuli<T>& k) -> T { return k.normal - 2.0 * k.shear; };
+    const T normal = both(lambda(moduli.extension), lambda(moduli.coupling), lambda(moduli.bending)),
+            shear = both(moduli.extension.shear, moduli.coupling.shear, moduli.bending.shear);
+    const T strain = max(T(0.0), normal) * trace_S + 2.0 * shear * L1;
+    const T across = moduli.transverse_shear * (L1 + 0.25 * per_gyration);
+    const T w2 = (A * per_mass) * (warping.stiffening(z, per_gyration, S) * max(strain, across));
+
+    const T shared = p(0) * p(0) + p(1) * p(1);
+    const T c = (4.0 * per_mass) * max(max(control.membrane * (1.0 + 0.0625 * z * z * per_gyration), control.shear),
+                                       control.bending * per_gyration);
+    return 0.5 * sqrt(largest_eigenvalue(PlaneTensor<T>{w2 + c * shared, c, c * sqrt(shared)}));
+  }
+};
+
+Plate4()->Plate4<>;
+template <class H>
+Plate4(H) -> Plate4<H>;
+template <class H, class W>
+Plate4(H, W) -> Plate4<H, W>;
+template <class H, class W, class Th>
+Plate4(H, W, Th) -> Plate4<H, W, Th>;
+
+}  // namespace strike

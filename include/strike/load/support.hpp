@@ -1,0 +1,85 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include <strike/mesh/nodes.hpp>
+#include <strike/mesh/select.hpp>
+#include <strike/tensor/tensor.hpp>
+
+namespace strike {
+
+/// Nodes that do not move along some directions and, where plates turn them, do not turn about some axes. Supports may
+/// meet at any angle.
+///   Support{edge, {unit(Axis::z)}, {unit(Axis::x)}}   // a hard simple support along y: slides, and turns about y
+class Support {
+ public:
+  Support(std::vector<Index> nodes, std::vector<Eigen::Vector3d> directions, std::vector<Eigen::Vector3d> axes = {})
+      : nodes_(std::move(nodes)), directions_(std::move(directions)), axes_(std::move(axes)) {}
+
+  template <class N>
+  void begin(N& nodes) {
+    for (const Index i : nodes_) {
+      for (const auto& direction : directions_) motions_.push_back({i, nodes.hold(i, direction.normalized())});
+      if constexpr (N::nodes_turn)
+        for (const auto& axis : axes_) turns_.push_back({i, nodes.hold_turn(i, axis.normalized())});
+    }
+  }
+
+  template <class N, class Ledger>
+  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
+    double work = 0;  // not zero only where a node strikes what holds it
+    const auto without = [&](const Eigen::Vector3d& v, const Eigen::Vector3d& held, double m, const auto& f) {
+      const double along = v.dot(held), before = along - step.kick() / m * f.dot(held);
+      work += m * along * before;
+      return Eigen::Vector3d(v - along * held);
+    };
+    for (const auto& [i, held] : motions_) nodes.set_velocity(i, without(nodes.v(i), held, nodes.mass(i), nodes.f(i)));
+    if constexpr (N::nodes_turn)
+      for (const auto& [i, held] : turns_)
+        nodes.set_angular_velocity(i, without(nodes.w(i), held, nodes.inertia(i), nodes.moment(i)));
+    ledger.contact.book_impulse(work, 0);
+  }
+
+ private:
+  struct Hold {
+    Index node;
+    Eigen::Vector3d held;  // less what another support holds already
+  };
+
+  std::vector<Index> nodes_;
+  std::vector<Eigen::Vector3d> directions_, axes_;
+  std::vector<Hold> motions_, turns_;
+};
+
+/// Nodes that neither move nor turn.
+class Clamped : public Support {
+ public:
+  explicit Clamped(std::vector<Index> nodes)
+      : Support(std::move(nodes), {unit(Axis::x), unit(Axis::y), unit(Axis::z)},
+                {unit(Axis::x), unit(Axis::y), unit(Axis::z)}) {}
+};
+
+/// Nodes that do not move, but turn.
+class Hinged : public Support {
+ public:
+  explicit Hinged(std::vector<Index> nodes)
+      : Support(std::move(nodes), {unit(Axis::x), unit(Axis::y), unit(Axis::z)}) {}
+};
+
+/// Nodes in a plane of symmetry: they do not move along its normal and turn about that alone.
+class Symmetry : public Support {
+ public:
+  Symmetry(const Eigen::Vector3d& normal, std::vector<Index> nodes)
+      : Support(std::move(nodes), {normal}, {across(normal), cross<double>(normal, across(normal))}) {}
+  Symmetry(Axis axis, std::vector<Index> nodes) : Symmetry(unit(axis), std::move(nodes)) {}
+
+ private:
+  /// A vector at right angles to another.
+  static Eigen::Vector3d across(const Eigen::Vector3d& normal) {
+    Eigen::Index least;
+    normal.cwiseAbs().minCoeff(&least);
+    return cross<double>(normal, Eigen::Vector3d::Unit(least));
+  }
+};
+
+}  // namespace strike
