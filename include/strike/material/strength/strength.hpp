@@ -111,6 +111,17 @@ T falling_root(F f, T x, const M& active, const T& tolerance) {
   return x;
 }
 
+/// The flow stress of a law of any kind, with the temperature of the state.
+template <FlowLaw S, class U, class State>
+U flow_stress(const S& law, const State& state, const U& strain, const U& rate) {
+  if constexpr (ThermalFlow<S>)
+    return law.flow_stress(strain, rate, U(law.initial_temperature + state.temperature_rise));
+  else if constexpr (RateDependentFlow<S>)
+    return (void)state, law.flow_stress(strain, rate);
+  else
+    return (void)state, (void)rate, law.flow_stress(strain);
+}
+
 }  // namespace detail
 
 /// What a material with this strength has to remember for it besides the stress.
@@ -125,23 +136,15 @@ T plastic_increment(const S& law, const StrengthState<S, T>& state, const T& q, 
   if constexpr (requires { law.plastic_increment(q, e, dt); }) {
     return law.plastic_increment(q, e, dt);
   } else {
-    const auto flow_stress = [&](const auto& strain, const auto& rate) {
-      if constexpr (ThermalFlow<S>) {
-        using U = std::decay_t<decltype(strain)>;
-        return U(law.flow_stress(strain, rate, U(law.initial_temperature + state.temperature_rise)));
-      } else if constexpr (RateDependentFlow<S>) {
-        return std::decay_t<decltype(strain)>(law.flow_stress(strain, rate));
-      } else {
-        return (void)rate, std::decay_t<decltype(strain)>(law.flow_stress(strain));
-      }
-    };
-    const T excess = q - flow_stress(e, T(0.0));
+    const T excess = q - detail::flow_stress<S, T>(law, state, e, T(0.0));
     const auto yields = excess > 0.0;
     if (!(dt > 0) || !any(yields)) return T(0.0);
     const double G3 = 3.0 * law.shear_modulus;
     const T most = q / G3;  // all of the trial stress
     using D = Dual<T, 1>;
-    const auto residual = [&](const D& x) -> D { return q - q * x - flow_stress(e + most * x, D(most / dt * x)); };
+    const auto residual = [&](const D& x) -> D {
+      return q - q * x - detail::flow_stress<S, D>(law, state, e + most * x, most / dt * x);
+    };
     const T rounding = T(32.0 * std::numeric_limits<RealOf<T>>::epsilon()) * q;
     return select(yields, most * detail::falling_root<T>(residual, excess / q, yields, rounding), T(0.0));
   }
