@@ -8,9 +8,12 @@
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/fluid.hpp>
 #include <strike/material/kinematics.hpp>
+#include <strike/material/layered.hpp>
 #include <strike/material/material.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/von_mises.hpp>
+#include <strike/material/thickness_rule.hpp>
+#include <strike/material/transverse_shear.hpp>

@@ -1,0 +1,8 @@
+// expect: a Layered takes one shear policy and one Offset at most
+#include <strike/strike.hpp>
+
+#include "../support/plane_elastic.hpp"
+
+using namespace strike;
+
+int main() { const Layered section{Layer{testing::PlaneElastic{200e9, 0.3}, 3.0}, EnergyShear{}, FiveSixthsShear{}}; }
