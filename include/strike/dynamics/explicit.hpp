@@ -28,9 +28,9 @@ struct ExplicitOptions {
 
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
 /// Between two steps it holds x, f at the time n and v half a step before. Policies, after the options and in any
-/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`) and what bounds the
-/// step (`GlobalStep{}`).
-template <class Numbers, class Execution, class Bound, class... Things>
+/// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`), what bounds the step
+/// (`GlobalStep{}`), and damping (`DynamicRelaxation{}`).
+template <class Numbers, class Execution, class Bound, class Damping, class... Things>
 class Explicit {
  public:
   using Real = typename Numbers::NodeReal;
@@ -39,16 +39,18 @@ class Explicit {
   template <class... Policies>
   explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, const Policies&... policies)
       : Explicit(std::move(scene), options, detail::pick<detail::IsExecution>(policies..., Serial{}),
-                 detail::pick<detail::IsStepBound>(policies..., ElementStep{}), detail::arrange(scene)) {
+                 detail::pick<detail::IsStepBound>(policies..., ElementStep{}),
+                 detail::pick<detail::IsDamping>(policies..., NoDamping{}), detail::arrange(scene)) {
     static_assert(
         (detail::is_policy<Policies> && ...),
         "strike: the policies of Explicit, after its options, are its numbers, such as in<Pack<float>>, its execution, "
-        "such as OpenMP{}, and the bound of its step, such as GlobalStep{}.");
+        "such as OpenMP{}, the bound of its step, such as GlobalStep{}, and its damping, such as DynamicRelaxation{}.");
   }
 
   /// One step: from n to n + 1.
   void step() {
     choose_step();
+    damp();
     kick();
     constrain();
     touch();
@@ -58,15 +60,15 @@ class Explicit {
     push();
   }
 
-  /// Steps until the time `end`, or until an observer `stops()`, and calls the observers before the first and after
-  /// each step: `f()` or `f(run)`. The last step ends at `end` exactly. If the run has to be given up, observers with a
-  /// `last(run)` get it before the Error leaves.
+  /// Steps until the time `end`, or until an observer `stops()` or a relaxation is at rest, and calls the observers
+  /// before the first and after each step: `f()` or `f(run)`. The last step ends at `end` exactly. If the run has to be
+  /// given up, observers with a `last(run)` get it before the Error leaves.
   template <class... Observers>
   void until(double end, Observers&&... observers) {
     end_ = end;
     (observe(observers), ...);
     try {
-      while (clock_.time() < end_ && !(stops(observers) || ...)) {
+      while (clock_.time() < end_ && !is_at_rest() && !(stops(observers) || ...)) {
         step();
         (observe(observers), ...);
       }
@@ -81,6 +83,8 @@ class Explicit {
   double dt() const { return step_.dt; }
   /// The element that allows the least step, and that step before the factor.
   const StableStep& stable_step() const { return stable_; }
+  /// The damping at work.
+  const auto& damping() const { return damping_; }
   /// What bounds the step, at work.
   const auto& step_bound() const { return bound_; }
   /// What the user should know before believing the results, a sentence each.
@@ -126,10 +130,11 @@ class Explicit {
   using Running = std::tuple<typename detail::Running<Things, Numbers, Nodes, Bound>::type...>;
 
   Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution, const Bound& bound,
-           detail::Arrangement arrangement)
+           const Damping& damping, detail::Arrangement arrangement)
       : options_(options),
         execution_(execution),
         bound_(bound),
+        damping_(damping),
         nodes_(scene.nodes, std::move(arrangement.nodes)),
         things_(start(std::move(scene.things), nodes_, std::move(arrangement.cells))),
         kinetic_(detail::chunks(nodes_.size())) {
@@ -144,9 +149,8 @@ class Explicit {
       if constexpr (requires { thing.begin(nodes_); }) thing.begin(nodes_);
     });
     double mass = 0, rounding = 0;
+    ledger_.kinetic = motion_energy();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      ledger_.kinetic += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
-      if constexpr (Nodes::nodes_turn) ledger_.kinetic += 0.5 * nodes_.inertia(i) * nodes_.w(i).squaredNorm();
       mass += nodes_.mass(i);
       rounding = std::max(rounding, nodes_.resolution(i));
     }
@@ -208,6 +212,35 @@ class Explicit {
     step_ = {step_.number + 1, clock_.time(), before, dt};
   }
 
+  bool is_at_rest() const {
+    if constexpr (Damping::damps)
+      return damping_.is_at_rest();
+    else
+      return false;
+  }
+
+  /// Stops all nodes where the damping says so; they go on as at the begin, under half a kick.
+  void damp() {
+    if constexpr (Damping::damps) {
+      if (!damping_.passes_peak(ledger_.kinetic, ledger_.internal.settled())) return;
+      ledger_.damping.book(motion_energy());
+      for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        nodes_.velocity()[i] = 0;
+        if constexpr (Nodes::nodes_turn) nodes_.angular_velocity()[i] = 0;
+      }
+      step_.dt_before = 0;
+    }
+  }
+  /// Of the velocities between two times.
+  double motion_energy() const {
+    double energy = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      energy += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
+      if constexpr (Nodes::nodes_turn) energy += 0.5 * nodes_.inertia(i) * nodes_.w(i).squaredNorm();
+    }
+    return energy;
+  }
+
   /// v += kick f/m, and of nodes that turn w += kick moment/inertia. Collects the kinetic energy m v-.v+/2 but for the
   /// impulses of the constraints, which the ledger knows.
   void kick() {
@@ -251,6 +284,9 @@ class Explicit {
     energy_ = ledger_.energy();
     if (step_.number > 1) check_balance();
     ledger_.settle();
+    if constexpr (Damping::damps)
+      if (damping_.restarts())
+        ledger_.damping.book(motion_energy());  // what central differences lack from rest, see below
     each([&](auto& thing) {
       if constexpr (requires { thing.power(nodes_); }) ledger_.external.book(0.5 * step_.dt * thing.power(nodes_));
     });
@@ -274,7 +310,7 @@ class Explicit {
   /// energy -E tan^2(a) at its turning points: -4 E at 0.9 of the stable step, -49 E at 0.99.) What rounding does
   /// counts for nothing: in each step it may move the nodes by the spacing of the numbers.
   void check_balance() const {
-    const double moves = static_cast<double>(step_.number) / (step_.dt_before * step_.dt_before);
+    const double moves = static_cast<double>(step_.number) / (step_.dt * step_.dt);
     const double rounding = options_.energy_tolerance * rounding_ * moves;
     const double allowed = std::max(options_.energy_tolerance * energy_.scale(), rounding);
     if (!(energy_.kinetic >= -100 * std::max(energy_.initial, std::abs(energy_.external)) - rounding))
@@ -346,6 +382,7 @@ class Explicit {
   ExplicitOptions options_;
   Execution execution_;
   [[no_unique_address]] typename Bound::template Running<Nodes, Running> bound_;
+  [[no_unique_address]] detail::RunningDamping<Damping> damping_;
   Nodes nodes_;
   Running things_;
   std::vector<double> kinetic_;  // twice the kinetic energy of each chunk of nodes
@@ -360,9 +397,9 @@ class Explicit {
 };
 
 /// A scene that the compiler complains about gets no second complaint.
-template <class Numbers, class Execution, class Bound, class... Things>
+template <class Numbers, class Execution, class Bound, class Damping, class... Things>
 requires(!Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_available<Execution>() ||
-         !detail::is_bounded<Bound, Things...>) class Explicit<Numbers, Execution, Bound, Things...> {
+         !detail::is_bounded<Bound, Things...>) class Explicit<Numbers, Execution, Bound, Damping, Things...> {
  public:
   explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {
     static_assert(detail::is_available<Execution>(),
@@ -376,10 +413,11 @@ requires(!Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_availabl
 };
 
 template <class... Things>
-Explicit(Scene<Things...>) -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, detail::StepBoundOf<>, Things...>;
+Explicit(Scene<Things...>)
+    -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, detail::StepBoundOf<>, detail::DampingOf<>, Things...>;
 template <class... Things, class... Policies>
 Explicit(Scene<Things...>, ExplicitOptions, Policies...)
     -> Explicit<detail::NumbersOf<Policies...>, detail::ExecutionOf<Policies...>, detail::StepBoundOf<Policies...>,
-                Things...>;
+                detail::DampingOf<Policies...>, Things...>;
 
 }  // namespace strike

@@ -14,11 +14,14 @@ struct Energy {
   double bulk_viscosity = 0;  ///< dissipated by bulk viscosity
   double contact = 0;         ///< taken by contact: stored by penalties, lost in impacts of nodes on walls
   double friction = 0;        ///< dissipated by friction
+  double damping = 0;         ///< taken from the motion by a relaxation
   double external = 0;        ///< work of loads and prescribed motion
   double eroded = 0;          ///< left with deleted elements
   double initial = 0;         ///< kinetic and stored energy at the begin
 
-  double held() const { return kinetic + internal + hourglass + bulk_viscosity + contact + friction + eroded; }
+  double held() const {
+    return kinetic + internal + hourglass + bulk_viscosity + contact + friction + damping + eroded;
+  }
   /// The largest of the energies that must balance: the scale of the error.
   double scale() const { return std::max({initial, std::abs(kinetic), std::abs(internal), std::abs(external)}); }
   /// What the balance is off by.
@@ -53,7 +56,7 @@ class Account {
 
 /// The accounts that the pieces of a scene write into.
 struct Ledger {
-  Account internal, hourglass, bulk_viscosity, contact, friction, external, eroded;
+  Account internal, hourglass, bulk_viscosity, contact, friction, damping, external, eroded;
   double kinetic = 0, initial = 0;
 
   void settle() {
@@ -70,6 +73,7 @@ struct Ledger {
             .bulk_viscosity = bulk_viscosity.settled(),
             .contact = contact.settled(),
             .friction = friction.settled(),
+            .damping = damping.settled(),
             .external = external.settled(),
             .eroded = eroded.settled(),
             .initial = initial};

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <strike/dynamics/execution.hpp>
+#include <strike/dynamics/relaxation.hpp>
 #include <strike/dynamics/step_bound.hpp>
 #include <strike/mesh/nodes.hpp>
 #include <strike/scalar/scalar.hpp>
@@ -40,7 +41,13 @@ template <class P>
 struct IsStepBound : std::bool_constant<StepBound<P>> {};
 
 template <class P>
-inline constexpr bool is_policy = IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value;
+    struct IsDamping : std::bool_constant < requires {
+  P::damps;
+} > {};
+
+template <class P>
+inline constexpr bool is_policy =
+    IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value || IsDamping<P>::value;
 
 /// Whether the compiler has been told to compile this execution.
 template <class E>
@@ -65,6 +72,8 @@ template <class... Policies>
 using ExecutionOf = decltype(pick<IsExecution>(std::declval<Policies>()..., Serial{}));
 template <class... Policies>
 using StepBoundOf = decltype(pick<IsStepBound>(std::declval<Policies>()..., ElementStep{}));
+template <class... Policies>
+using DampingOf = decltype(pick<IsDamping>(std::declval<Policies>()..., NoDamping{}));
 
 }  // namespace detail
 

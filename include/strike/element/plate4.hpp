@@ -44,13 +44,15 @@ struct ThicknessChange {
 /// The four-node Mindlin plate of Belytschko, Lin and Tsay (1984) with one point in its plane and three rotations at a
 /// node, written in its own modes. Strain is measured in the middle of the step, so that a rotation strains nothing;
 /// the stresses live in the plate's frame, which does not depend on the numbering. Its material is a section. Policies:
-/// hourglass control, what it makes of a warp, and whether its thickness changes.
-///   Plate4{}   Plate4{PlateHourglass{.membrane = 0.01}}   Plate4{PlateHourglass{}, BelytschkoWongChiang{}}
-template <class Hourglass = PlateHourglass, class Warping = RigidOffset, class Thickness = ConstantThickness>
+/// hourglass control, what it makes of a warp, whether its thickness changes, and what resists the drilling.
+///   Plate4{}   Plate4{PlateHourglass{.membrane = 0.01}}   Plate4{PlateHourglass{}, NoWarping{}, ThicknessChange{}}
+template <class Hourglass = PlateHourglass, class Warping = BelytschkoWongChiang, class Thickness = ConstantThickness,
+          class Drilling = FreeDrilling>
 struct Plate4 {
   [[no_unique_address]] Hourglass hourglass{};
   [[no_unique_address]] Warping warping{};
   [[no_unique_address]] Thickness thickness{};
+  [[no_unique_address]] Drilling drilling{};
 
   using Kinematics = PlateKinematics;
   static constexpr int nodes = 4;
@@ -61,6 +63,7 @@ struct Plate4 {
     T inverse_area{};  ///< 1/A0
     [[no_unique_address]] typename Thickness::template State<T> thickness{};
     [[no_unique_address]] typename Hourglass::template State<T> hourglass{};
+    [[no_unique_address]] typename Drilling::template State<T> drilling{};
     [[no_unique_address]] typename Section::template State<T> material{};
 
     template <class F>
@@ -85,14 +88,14 @@ struct Plate4 {
                          double dt) const {
     const Plate4Modes<T> m = to_plate_modes<T>(x);
     Plate4Modes<T> u = to_plate_modes<T>(v), w = to_plate_modes<T>(v, 4);
-    const auto [rate, rates, middle] = measure(m, u, w, dt);
+    const auto [rate, rates, drilling_rates, middle] = measure(m, u, w, dt);
 
     const Plate4Frame<T> frame(m.xi, m.eta);
     const T& A = frame.area;
     const T dA = volume_increment<T>(A, dt * trace(rate.membrane));
     const T h = material.thickness() * thickness.relative(state.thickness);
     const PlateKinematics::Rate<T> felt{rate.membrane, rate.curvature, rate.shear, thickness.relative(state.thickness)};
-    const PlateKinematics::Stress<T> before = material.stress(std::as_const(state.material));
+    const PlateKinematics::Stress<T> before = remembered(material, state.material, felt.relative_thickness);
     const PlateKinematics::Stress<T> stress = material.stress(state.material, felt, dt);
     thickness.advance(state.thickness, stress.normal_rate, dt);
 
@@ -131,18 +134,32 @@ struct Plate4 {
       F.h = R_u, F.xi = F.xi - p(0) * R_u, F.eta = F.eta - p(1) * R_u;
       G.h = R_w, G.xi = G.xi - p(0) * R_w, G.eta = G.eta - p(1) * R_w;
     }
-    warping.forces(frame, z, F, G);
+    T drilling_stiffness = T(0.0);
+    if constexpr (drills) {
+      Plate4Drilling<T> moment;
+      warping.forces(frame, z, F, G, moment);
+      if constexpr (drilling_controlled) {
+        drilling_stiffness = drilling.stiffness(moduli.extension.shear, A);
+        response.hourglass_work += resist(state.drilling.resistance, drilling_stiffness, drilling_rates, dt, moment);
+      }
+      moment.add_forces(frame, F, G);
+    } else {
+      Plate4Drilling<T> none;
+      warping.forces(frame, z, F, G, none);
+    }
     to_plate_nodes(F, response.force);
     to_plate_nodes(G, response.force, 4);
 
-    response.critical_rate = critical_rate(material, state, moduli, control, bb, A, z, p);
+    response.critical_rate = critical_rate(material, state, moduli, control, drilling_stiffness, bb, A, z, p);
     if constexpr (requires { material.intact(state.material); })
       silence(material.intact(state.material) > 0.0, response);
     return response;
   }
 
  private:
-  static constexpr bool controlled = !std::is_same_v<Hourglass, NoPlateHourglass>;
+  static constexpr bool controlled = !std::is_same_v<Hourglass, NoPlateHourglass>,
+                        drilling_controlled = !std::is_same_v<Drilling, FreeDrilling>,
+                        drills = Warping::drills || drilling_controlled;
 
   /// Moment of inertia per mass: that of the section, but not so little that the rotations and not the membrane would
   /// limit the step, A/8 (after Hughes, Cohen and Haroun 1978).
@@ -151,12 +168,37 @@ struct Plate4 {
     return max(T(material.rotary_inertia() / material.density()), 0.125 * A);
   }
 
+  template <class Section, class S, class T>
+  static PlateKinematics::Stress<T> remembered(const Section& material, const S& state, const T& relative_thickness) {
+    if constexpr (requires { material.stress(state, relative_thickness); })
+      return material.stress(state, relative_thickness);
+    else
+      return material.stress(state);
+  }
+
   template <class T>
   struct Measure {
     PlateKinematics::Rate<T> rate;
     PlateHourglassModes<T> hourglass;
+    Plate4Drilling<T> drilling;
     Vector3<T> normal;  // in the middle of the step
   };
+
+  /// The same for the drilling, its moments in the modes 1/4 of the resistance there.
+  template <class T>
+  static T resist(Plate4Drilling<T>& R, const T& stiffness, const Plate4Drilling<T>& rates, double dt,
+                  Plate4Drilling<T>& moment) {
+    T work = T(0.0);
+    const auto advance = [&](T& resistance, const T& q, T& moment_k) {
+      const T change = 0.25 * stiffness * (dt * q);
+      work += (resistance + 0.5 * change) * (dt * q);
+      resistance += change;
+      moment_k += resistance;
+    };
+    advance(R.s, rates.s, moment.s), advance(R.xi, rates.xi, moment.xi);
+    advance(R.eta, rates.eta, moment.eta), advance(R.h, rates.h, moment.h);
+    return work;
+  }
 
   /// The rates in the middle of the step, from the modes at its end.
   template <class T>
@@ -166,11 +208,12 @@ struct Plate4 {
     const Vector3<T> m_h = m.h + back * u.h;
     const Vector3<T>& e3 = frame.normal;
     const T z = dot(e3, m_h);
-    warping.rates(frame, z, u, w);
 
     const Vector3<T>&m_xi = frame.m_xi, &m_eta = frame.m_eta;
     const Vector3<T> c_xi = cross(e3, m_xi), c_eta = cross(e3, m_eta);
     Measure<T> measure;
+    if constexpr (drills) measure.drilling = Plate4Drilling<T>(frame, u, w);
+    warping.rates(frame, z, measure.drilling, u, w);
     PlateKinematics::Rate<T>& rate = measure.rate;
     rate.membrane = frame.turned({dot(m_xi, u.xi), dot(m_eta, u.eta), 0.5 * (dot(m_xi, u.eta) + dot(m_eta, u.xi))});
     rate.curvature = frame.turned({dot(c_xi, w.xi), dot(c_eta, w.eta), 0.5 * (dot(c_xi, w.eta) + dot(c_eta, w.xi))});
@@ -219,10 +262,10 @@ struct Plate4 {
   /// Control adds 4 k/m in h and what its vectors gamma = h - p_i Lambda_i share with the others.
   template <class Section, class T>
   T critical_rate(const Section& material, const State<Section, T>& state, const PlateKinematics::Moduli<T>& moduli,
-                  const PlateHourglassStiffness<T>& control, const PlaneTensor<T>& S, const T& A, const T& z,
-                  const Vector2<T>& p) const {
-    const T A0 = 1.0 / state.inverse_area, per_mass = (4.0 / material.density()) * state.inverse_area;
-    const T per_gyration = 1.0 / gyration_squared(material, A0);  // m/I
+                  const PlateHourglassStiffness<T>& control, const T& drilling_stiffness, const PlaneTensor<T>& S,
+                  const T& A, const T& z, const Vector2<T>& p) const {
+    const T per_mass = (4.0 / material.density()) * state.inverse_area;
+    const T per_gyration = 1.0 / gyration_squared(material, T(1.0 / state.inverse_area));  // m/I
     const T L1 = largest_eigenvalue(S), trace_S = trace(S);
     const T l = warping.lever(z);
     const auto both = [&](const T& a, const T& b, const T& c) -> T {
@@ -239,7 +282,8 @@ struct Plate4 {
     const T shared = p(0) * p(0) + p(1) * p(1);
     const T c = (4.0 * per_mass) * max(max(control.membrane * (1.0 + 0.0625 * z * z * per_gyration), control.shear),
                                        control.bending * per_gyration);
-    return 0.5 * sqrt(largest_eigenvalue(PlaneTensor<T>{w2 + c * shared, c, c * sqrt(shared)}));
+    const T d = drilling_stiffness * per_mass * (per_gyration + 2.0 * L1);
+    return 0.5 * sqrt(largest_eigenvalue(PlaneTensor<T>{w2 + c * shared, c, c * sqrt(shared)}) + d);
   }
 };
 
@@ -250,5 +294,7 @@ template <class H, class W>
 Plate4(H, W) -> Plate4<H, W>;
 template <class H, class W, class Th>
 Plate4(H, W, Th) -> Plate4<H, W, Th>;
+template <class H, class W, class Th, class D>
+Plate4(H, W, Th, D) -> Plate4<H, W, Th, D>;
 
 }  // namespace strike

@@ -63,6 +63,15 @@ struct Plate4Frame {
     return {p * p * a.xx + 2.0 * p * r * a.xy + r * r * a.yy, r * r * a.xx + 2.0 * r * q * a.xy + q * q * a.yy,
             p * r * a.xx + (p * q + r * r) * a.xy + q * r * a.yy};
   }
+  /// g^xi and g^eta in the plane with g^i . m_j = delta_ij.
+  struct Dual {
+    Vector3<T> xi, eta;
+  };
+  Dual dual() const {
+    const Vector3<T> e1 = this->e1(), e2 = this->e2();
+    return {inverse.xx * e1 + inverse.xy * e2, inverse.xy * e1 + inverse.yy * e2};
+  }
+
   /// The part of an in-plane vector along e1 and e2.
   Vector2<T> in_plane(const Vector3<T>& a) const { return turned(dot(a, m_xi), dot(a, m_eta)); }
 
@@ -70,6 +79,33 @@ struct Plate4Frame {
   PlaneTensor<T> gradient_squared() const {
     const T &p = inverse.xx, &q = inverse.yy, &r = inverse.xy;
     return {4.0 * (p * p + r * r), 4.0 * (q * q + r * r), 4.0 * (p + q) * r};
+  }
+};
+
+/// The drilling of the nodes: how much more slowly they turn about the normal than the plane, whose spin is that of the
+/// mean gradient; or the moment on it. In modes.
+template <class T>
+struct Plate4Drilling {
+  T s{}, xi{}, eta{}, h{};
+
+  Plate4Drilling() = default;
+  Plate4Drilling(const T& s_, const T& xi_, const T& eta_, const T& h_) : s(s_), xi(xi_), eta(eta_), h(h_) {}
+  Plate4Drilling(const Plate4Frame<T>& frame, const Plate4Modes<T>& u, const Plate4Modes<T>& w) {
+    const auto [g_xi, g_eta] = frame.dual();
+    const Vector3<T>& e3 = frame.normal;
+    s = 2.0 * dot<T>(e3, cross(g_xi, u.xi) + cross(g_eta, u.eta)) - dot(e3, w.s);
+    xi = -dot(e3, w.xi), eta = -dot(e3, w.eta), h = -dot(e3, w.h);
+  }
+  /// The transpose: adds what the moments on the drilling are at the nodes.
+  void add_forces(const Plate4Frame<T>& frame, Plate4Modes<T>& F, Plate4Modes<T>& G) const {
+    const auto [g_xi, g_eta] = frame.dual();
+    const Vector3<T>& e3 = frame.normal;
+    F.xi = F.xi + (2.0 * s) * cross(e3, g_xi);
+    F.eta = F.eta + (2.0 * s) * cross(e3, g_eta);
+    G.s = G.s - s * e3, G.xi = G.xi - xi * e3, G.eta = G.eta - eta * e3, G.h = G.h - h * e3;
+  }
+  friend Plate4Drilling operator*(const T& c, const Plate4Drilling& d) {
+    return {c * d.s, c * d.xi, c * d.eta, c * d.h};
   }
 };
 

@@ -1,0 +1,35 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include <strike/load/curve.hpp>
+#include <strike/mesh/nodes.hpp>
+
+namespace strike {
+
+/// A force on each of some nodes, times a history; its direction stays.
+template <class History = Constant>
+class NodalForce {
+ public:
+  NodalForce(Eigen::Vector3d force, std::vector<Index> nodes, History history = {})
+      : force_(std::move(force)), nodes_(std::move(nodes)), history_(std::move(history)) {}
+
+  template <class N>
+  void push(N& nodes, double time) {
+    now_ = history_(time) * force_;
+    for (const Index i : nodes_) nodes.add_force(i, now_);
+  }
+  template <class N>
+  double power(const N& nodes) const {
+    double sum = 0;
+    for (const Index i : nodes_) sum += now_.dot(nodes.v(i));
+    return sum;
+  }
+
+ private:
+  Eigen::Vector3d force_, now_ = Eigen::Vector3d::Zero();
+  std::vector<Index> nodes_;
+  History history_;
+};
+
+}  // namespace strike
