@@ -198,21 +198,31 @@ class RunningPart {
   /// s.stress.zz; }).
   template <class F>
   std::vector<double> field(F f) const {
-    std::vector<double> values(size_);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      T sum = T(0.0);
-      double points = 0;
-      blocks_[b].state.each_point([&](const auto& state) { sum += f(state), points += 1; });
-      for (std::size_t l = 0; l < count(b); ++l)
-        values[order_[b * width + l]] = static_cast<double>(lane(sum, l)) / points;
-    }
-    return values;
+    return mean_over_points([&](const State& state, auto add) { state.each_point([&](const auto& s) { add(f(s)); }); });
+  }
+  /// The same for layer k of a plate, from 0 at its bottom.
+  template <class F>
+  std::vector<double> field(std::size_t k, F f) const {
+    return mean_over_points(
+        [&](const State& state, auto add) { state.each_point(k, [&](const auto& s) { add(f(s)); }); });
   }
 
   /// "element 7 of part 0 at (x, y, z)", its number as given.
   std::string describe(const Nodes& nodes, std::size_t e) const { return describe_at(nodes, place_of(e)); }
 
  private:
+  template <class Visit>
+  std::vector<double> mean_over_points(const Visit& visit) const {
+    std::vector<double> values(size_);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      T sum = T(0.0);
+      double points = 0;
+      visit(blocks_[b].state, [&](const T& value) { sum += value, points += 1; });
+      for (std::size_t l = 0; l < count(b); ++l)
+        values[order_[b * width + l]] = static_cast<double>(lane(sum, l)) / points;
+    }
+    return values;
+  }
   /// Sets the elements of a block at rest and gives their masses to the nodes.
   void begin(std::size_t b, Nodes& nodes) {
     Block& block = blocks_[b];

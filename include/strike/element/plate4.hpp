@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -47,7 +48,7 @@ struct ThicknessChange {
 /// hourglass control, what it makes of a warp, whether its thickness changes, and what resists the drilling.
 ///   Plate4{}   Plate4{PlateHourglass{.membrane = 0.01}}   Plate4{PlateHourglass{}, NoWarping{}, ThicknessChange{}}
 template <class Hourglass = PlateHourglass, class Warping = BelytschkoWongChiang, class Thickness = ConstantThickness,
-          class Drilling = FreeDrilling>
+          class Drilling = DrillingStiffness>
 struct Plate4 {
   [[no_unique_address]] Hourglass hourglass{};
   [[no_unique_address]] Warping warping{};
@@ -68,7 +69,15 @@ struct Plate4 {
 
     template <class F>
     void each_point(F f) const {
-      f(material);
+      if constexpr (requires { material.each_point(f); })
+        material.each_point(f);
+      else
+        f(material);
+    }
+    /// f(point) for the points of layer k.
+    template <class F>
+    void each_point(std::size_t k, F f) const {
+      material.each_point(k, f);
     }
   };
 

@@ -21,17 +21,18 @@ template <class E>
 struct ElementRecord {
   double time = 0;
   typename E::Kinematics::template Stress<double> stress{};  ///< that the material remembers, the mean over its points
-  double volume = 0;
-  double stable_step = 0;            ///< that the element claims
-  Nodal<double, E::nodes> x, force;  ///< force: on the element's nodes, so that they move as told
-  double internal = 0;               ///< work of the stresses
-  double hourglass = 0;              ///< work against the hourglass control
-  double bulk_viscosity = 0;         ///< dissipated by the bulk viscosity
+  double volume = 0;                                         ///< of a plate the area
+  double stable_step = 0;                                    ///< that the element claims
+  Nodal<double, E::nodes> x;
+  Nodal<double, motions<E>> force;  ///< on the element's nodes, and moments behind, so that they move as told
+  double internal = 0;              ///< work of the stresses
+  double hourglass = 0;             ///< work against the hourglass control
+  double bulk_viscosity = 0;        ///< dissipated by the bulk viscosity
   double external = 0;  ///< work of the prescribed motion, by the mean of the forces before and after a step
 };
 
-/// How the forces of an element answer to small motions of its 3n coordinates, node after node: f = K x + C v, with the
-/// mass m at each node.
+/// How the forces of an element answer to small motions of its coordinates, node after node: f = K x + C v, with the
+/// mass m at each node. Rotations count as lengths, the radius of gyration times the angle, so that they have it too.
 template <class E>
 struct ElementVibration {
   Eigen::MatrixXd stiffness, damping;
@@ -80,14 +81,15 @@ template <class E, class M>
 class SingleElement {
  public:
   static constexpr int n = E::nodes;
-  using Vectors = Nodal<double, n>;  ///< a column per node
+  using Vectors = Nodal<double, motions<E>>;  ///< a column per node, and per node that turns
+  using Positions = Nodal<double, n>;
   using Record = ElementRecord<E>;
 
   /// At rest at the positions X. Errors: no positive mass.
-  SingleElement(E element, M material, const Vectors& X)
+  SingleElement(E element, M material, const Positions& X)
       : element_(std::move(element)), material_(std::move(material)) {
     record_.x = X;
-    mass_ = element_.begin(state_, material_, X);
+    weigh(element_.begin(state_, material_, X));
     if (!(mass_ > 0))
       throw Error("The single element has no positive mass; its corners are in the wrong order or coincide.");
     const auto response = element_.advance(state_, material_, X, Vectors::Zero().eval(), 0.0);
@@ -100,7 +102,7 @@ class SingleElement {
   /// Moves the nodes at the velocities v for the time dt.
   const Record& step(const Vectors& v, double dt) {
     record_.time += dt;
-    record_.x += dt * v;
+    record_.x += dt * v.template leftCols<n>();
     const auto response = element_.advance(state_, material_, record_.x, v, dt);
     record_.stress = mean_stress();
     record_.volume = response.volume;
@@ -114,15 +116,16 @@ class SingleElement {
   }
 
   /// Takes steps of dt with the nodes at the velocities motion(x, t), a column per node, of the middle of each step: so
-  /// a rotation is one. Returns the record of every step, the present one first.
+  /// a rotation is one. Nodes that turn have angular velocities in further columns, else motion.angular_velocity(),
+  /// else none. Returns the record of every step, the present one first.
   template <class Motion>
   std::vector<Record> run(const Motion& motion, double dt, std::size_t steps) {
     std::vector<Record> history{record_};
     for (std::size_t i = 0; i < steps; ++i) {
-      Vectors v = motion(record_.x, record_.time + 0.5 * dt);
+      Vectors v = all_velocities(motion, record_.x, record_.time + 0.5 * dt);
       for (int k = 0; k < 100; ++k) {
         const Vectors before = v;
-        v = motion(Vectors(record_.x + 0.5 * dt * v), record_.time + 0.5 * dt);
+        v = all_velocities(motion, record_.x + 0.5 * dt * v.template leftCols<n>(), record_.time + 0.5 * dt);
         if ((v - before).norm() <= 1e-16 * v.norm()) break;
       }
       history.push_back(step(v, dt));
@@ -142,32 +145,64 @@ class SingleElement {
   const Record& now() const { return record_; }
   const auto& state() const { return state_; }
   double nodal_mass() const { return mass_; }
+  double nodal_inertia() const { return mass_ * gyration_squared_; }
 
  private:
   using State = typename E::template State<M, double>;
 
-  auto mean_stress() const {
-    typename E::Kinematics::template Stress<double> sum{};
-    double points = 0;
-    state_.each_point([&](const auto& state) { sum += material_.stress(state), points += 1; });
-    return (1 / points) * sum;
+  template <class Motion>
+  static Vectors all_velocities(const Motion& motion, const Positions& x, double time) {
+    const auto given = motion(x, time);
+    if constexpr (motions<E> == n || std::decay_t<decltype(given)>::ColsAtCompileTime == motions<E>) {
+      return given;
+    } else {
+      Vectors v = Vectors::Zero();
+      v.template leftCols<n>() = given;
+      if constexpr (requires { motion.angular_velocity(); })
+        v.template rightCols<n>().colwise() = motion.angular_velocity();
+      return v;
+    }
+  }
+
+  void weigh(double mass) { mass_ = mass; }
+  void weigh(const NodalInertia<double>& given) {
+    mass_ = given.mass;
+    gyration_squared_ = given.inertia / given.mass;
+  }
+
+  typename E::Kinematics::template Stress<double> mean_stress() const {
+    if constexpr (requires { material_.stress(state_.material); }) {
+      return material_.stress(state_.material);
+    } else {
+      typename E::Kinematics::template Stress<double> sum{};
+      double points = 0;
+      state_.each_point([&](const auto& state) { sum += material_.stress(state), points += 1; });
+      return (1 / points) * sum;
+    }
   }
 
   /// df/dv over a step dt that ends where the element stands, but for what v changes.
   Eigen::MatrixXd slope(const Vectors& velocities, double dt) const {
     using D = Dual<double, 3>;
-    Eigen::MatrixXd A(3 * n, 3 * n);
-    for (int node = 0; node < n; ++node) {
+    constexpr int m = motions<E>;
+    Eigen::MatrixXd A(3 * m, 3 * m);
+    for (int node = 0; node < m; ++node) {
       typename E::template State<M, D> state;
       std::ranges::copy(numbers_of<double>(state_), numbers_of<D>(state).begin());
-      Nodal<D, n> x = record_.x.template cast<D>(), v = velocities.template cast<D>();
+      Nodal<D, n> x = record_.x.template cast<D>();
+      Nodal<D, m> v = velocities.template cast<D>();
       for (int i = 0; i < 3; ++i) {
         const D change = D::variable(0, static_cast<std::size_t>(i));
-        x(i, node) += dt * change, v(i, node) += change;
+        if (node < n) x(i, node) += dt * change;
+        v(i, node) += change;
       }
-      const Nodal<D, n> force = element_.advance(state, material_, x, v, dt).force;
+      const Nodal<D, m> force = element_.advance(state, material_, x, v, dt).force;
       for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3 * n; ++k) A(k, 3 * node + i) = force(k).derivative(static_cast<std::size_t>(i));
+        for (int k = 0; k < 3 * m; ++k) A(k, 3 * node + i) = force(k).derivative(static_cast<std::size_t>(i));
+    }
+    if constexpr (m > n) {
+      A.bottomRows(3 * n) *= 1 / std::sqrt(gyration_squared_);
+      A.rightCols(3 * n) *= 1 / std::sqrt(gyration_squared_);
     }
     return A;
   }
@@ -175,29 +210,46 @@ class SingleElement {
   E element_;
   M material_;
   State state_{};
-  double mass_ = 0;
+  double mass_ = 0, gyration_squared_ = 0;
   Record record_;
 };
 
-/// Writes the records as CSV: time, Cauchy stress, volume, stable step, energies, and the force on each node.
+namespace detail {
+
+/// What a stress has to tell in a table.
+struct Component {
+  const char* name;
+  double value;
+};
+inline std::vector<Component> components(const SymmetricTensor<double>& s) {
+  return {{"stress xx", s.xx}, {"stress yy", s.yy}, {"stress zz", s.zz},
+          {"stress xy", s.xy}, {"stress yz", s.yz}, {"stress zx", s.zx}};
+}
+inline std::vector<Component> components(const PlateKinematics::Stress<double>& s) {
+  return {{"force xx", s.force.xx},   {"force yy", s.force.yy},   {"force xy", s.force.xy}, {"moment xx", s.moment.xx},
+          {"moment yy", s.moment.yy}, {"moment xy", s.moment.xy}, {"shear x", s.shear(0)},  {"shear y", s.shear(1)}};
+}
+
+}  // namespace detail
+
+/// Writes the records as CSV: time, Cauchy stress (of a plate the resultants), volume, stable step, energies, and the
+/// force on each node, and the moment if it turns.
 template <class E>
 void write(const std::string& path, const std::vector<ElementRecord<E>>& history) {
   std::vector<Column> columns{{"time"}};
-  for (const char* component : {"xx", "yy", "zz", "xy", "yz", "zx"})
-    columns.push_back({detail::joined({"stress ", component})});
+  for (const auto& component : detail::components(ElementRecord<E>{}.stress)) columns.push_back({component.name});
   for (const char* quantity :
        {"volume", "stable step", "internal energy", "hourglass energy", "bulk viscosity energy", "external energy"})
     columns.push_back({quantity});
-  for (int i = 0; i < E::nodes; ++i)
+  for (int i = 0; i < motions<E>; ++i)
     for (const char* axis : {" x", " y", " z"})
-      columns.push_back({detail::joined({"force ", std::to_string(i), axis})});
+      columns.push_back({detail::joined({i < E::nodes ? "force " : "moment ", std::to_string(i % E::nodes), axis})});
 
   History file(path, columns);
   for (const ElementRecord<E>& r : history) {
-    const SymmetricTensor<double>& s = r.stress;
-    std::vector<double> row{r.time, s.xx,     s.yy,          s.zz,       s.xy,       s.yz,
-                            s.zx,   r.volume, r.stable_step, r.internal, r.hourglass};
-    row.insert(row.end(), {r.bulk_viscosity, r.external});
+    std::vector<double> row{r.time};
+    for (const auto& component : detail::components(r.stress)) row.push_back(component.value);
+    row.insert(row.end(), {r.volume, r.stable_step, r.internal, r.hourglass, r.bulk_viscosity, r.external});
     row.insert(row.end(), r.force.data(), r.force.data() + r.force.size());
     file.row(row);
   }
@@ -206,10 +258,17 @@ void write(const std::string& path, const std::vector<ElementRecord<E>>& history
 /// Velocities of the nodes of a SingleElement: functions of their positions, a column per node, and the time.
 namespace motion {
 
-/// v = L x.
-inline auto homogeneous(const Eigen::Matrix3d& L) {
-  return [L](const auto& x, double) { return (L * x).eval(); };
-}
+/// v = L x; nodes that turn do so with its spin.
+struct Homogeneous {
+  Eigen::Matrix3d L;
+
+  template <class Positions>
+  Positions operator()(const Positions& x, double) const {
+    return L * x;
+  }
+  Eigen::Vector3d angular_velocity() const { return axial_vector<double>(L); }
+};
+inline Homogeneous homogeneous(const Eigen::Matrix3d& L) { return {L}; }
 
 /// v = w cross x.
 inline auto rotation(const Eigen::Vector3d& w) {
