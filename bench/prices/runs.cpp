@@ -1,4 +1,5 @@
 #include <strike/contact/rigid_wall.hpp>
+#include <strike/dynamics/global_step.hpp>
 #include <strike/dynamics/openmp.hpp>
 #include <strike/load/body_force.hpp>
 #include <strike/load/initial_velocity.hpp>
@@ -14,9 +15,12 @@ namespace prices {
 Group numbers() {
   Feature threads = by("two threads, by the clock on the wall", OpenMP{.threads = 2});
   threads.timed_by = TimedBy::wall;
-  return {"Numbers and threads",
-          {by("double, one lane", in<double>), by("Pack<float>", in<Pack<float>>),
-           by("mixed: Pack<float> in the elements, double at the nodes", in<Pack<float>, double>), threads}};
+  Feature global_step = by("GlobalStep, for longer steps", GlobalStep{});
+  global_step.steps = 100;  // the mesh is asked now and then
+  return {
+      "Numbers, threads, bound of the step",
+      {by("double, one lane", in<double>), by("Pack<float>", in<Pack<float>>),
+       by("mixed: Pack<float> in the elements, double at the nodes", in<Pack<float>, double>), threads, global_step}};
 }
 
 Group conditions() {

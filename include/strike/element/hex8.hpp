@@ -118,13 +118,6 @@ struct Hex8 {
     response.internal_work = work;
     sigma += SymmetricTensor<T>::isotropic(-q);
 
-    Matrix3<T> P = sigma.matrix();
-    if constexpr (controlled) {
-      Matrix3<T> Qm = outer(Q[0], m.b1);
-      add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
-      P = P - per_volume * Qm;
-    }
-
     const Moduli<T> after = material.moduli(state.material, rate);
     const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
     const Vibration<T> vibration = stability.vibration(material, after, zeta);
@@ -133,9 +126,10 @@ struct Hex8 {
     else
       response.critical_rate = vibration.critical_rate();
 
-    P = T(1.0 / 64.0) * P;
-    response.force = to_nodes<T>({times(P, g.a1), times(P, g.a2), times(P, g.a3), Q[0] + times(P, g.b1),
-                                  Q[1] + times(P, g.b2), Q[2] + times(P, g.b3), Q[3]});
+    if constexpr (controlled)
+      response.force = nodal_forces(sigma, Q, m, g, per_volume);
+    else
+      response.force = to_nodes(g.forces_of(sigma.matrix()));
     if constexpr (requires { material.intact(state.material); })
       silence(material.intact(state.material) > 0.0, response);
     return response;

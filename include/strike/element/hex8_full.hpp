@@ -60,63 +60,76 @@ struct Hex8Full {
     const T theta = instant(g.gradient_of(u, per_volume), dt).trace();
     const T dV = volume_increment<T>(V, dt * theta);
 
-    std::array<Measure<T>, points> measures;
     Hex8Laplacian<T> laplacian;
-    Moduli<T> moduli{T(0.0), T(0.0)};
+    Moduli<T> before{T(0.0), T(0.0)}, after = before;
     T least_volume = V, intact_volume = T(0.0);
-    for (std::size_t i = 0; i < points; ++i) {
+    const auto measure = [&](std::size_t i, Measure<T>& measured) {
+      auto& [map, rate, spin, dV_g] = measured;
       const Hex8Point point(i);
-      Measure<T>& measure = measures[i];
-      measure.map = Hex8Map<T>(point.derivatives(m));
-      const T& V_g = measure.map.volume;
+      map = Hex8Map<T>(point.derivatives(m));
       const T intact = intact_share<T>(material, state.material[i]);
-      const T inverse = select(intact > 0.0, 1.0 / V_g, T(0.0));
-      const Matrix3<T> L = instant(measure.map.gradient(point.derivatives(u), inverse), dt);
-      measure.spin = T(dt) * axial_vector(L);
-      const SymmetricTensor<T> D = instant.to_end(measure.spin)(symmetric_part(L));
-      measure.rate = {D + SymmetricTensor<T>::isotropic((1.0 / 3.0) * (theta - trace(D))), J};
-      measure.dV = volume_increment<T>(V_g, dt * trace(D));
+      const T inverse = select(intact > 0.0, 1.0 / map.volume, T(0.0));
+      const Matrix3<T> L = instant(map.gradient(point.derivatives(u), inverse), dt);
+      spin = T(dt) * axial_vector(L);
+      const SymmetricTensor<T> D = instant.to_end(spin)(symmetric_part(L));
+      rate = {D + SymmetricTensor<T>::isotropic((1.0 / 3.0) * (theta - trace(D))), J};
+      dV_g = volume_increment<T>(map.volume, dt * trace(D));
 
-      laplacian.add(point, measure.map, inverse);
-      moduli = larger(moduli, material.moduli(state.material[i], measure.rate));
-      least_volume = select(intact > 0.0 && !(V_g > least_volume), V_g, least_volume);
-      intact_volume += select(intact > 0.0, V_g, T(0.0));
-    }
-    const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
-    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / material.density()) * J};
+      laplacian.add(point, map, inverse);
+      before = larger(before, material.moduli(state.material[i], rate));
+      least_volume = select(intact > 0.0 && !(map.volume > least_volume), map.volume, least_volume);
+      intact_volume += select(intact > 0.0, map.volume, T(0.0));
+    };
 
     Response<T, 8> response;
-    response.volume = select(least_volume > 0.0, V, least_volume);
-    response.hourglass_work = T(0.0);
-
-    T q = bulk_viscosity.pressure(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
-    if constexpr (requires { material.intact(state.material[0]); })
-      q = select(intact_volume > 0.0, q * (intact_volume * per_volume), T(0.0));
-    response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
-
+    response.internal_work = response.hourglass_work = T(0.0);
     // f_I = sum of the points' V_g s_g grad N_I, and the mean pressure on the mean gradient.
     const Vector3<T> zero = Vector3<T>::Zero();
     Hex8Modes<T> F{zero, zero, zero, zero, zero, zero, zero};
-    T tension = T(0.0);
-    T intact = T(0.0);
-    response.internal_work = T(0.0);
-    for (std::size_t i = 0; i < points; ++i) {
-      const auto& [map, rate, spin, dV_g] = measures[i];
+    T tension = T(0.0), intact = T(0.0);
+    const auto advance = [&](std::size_t i, const Measure<T>& measured) {
+      const auto& [map, rate, spin, dV_g] = measured;
       auto& point_state = state.material[i];
       turn_tensors(rotation.turn(spin), point_state);
-      heat(point_state, response.bulk_viscosity_work * state.inverse_volume);
       const auto [sigma, work] = advance_point(material, point_state, rate, dt, map.volume, dV_g);
       response.internal_work += work;
       tension += (1.0 / 3.0) * map.volume * trace(sigma);
       Hex8Point(i).add_forces<T>(deviator(sigma).matrix().lazyProduct(map.cofactors), F);
-      moduli = larger(moduli, material.moduli(point_state, rate));
+      after = larger(after, material.moduli(point_state, rate));
       intact = max(intact, intact_share<T>(material, point_state));
-    }
+    };
+
+    // Where the material knows its energy, a point waits for the heat that follows from what all of them measure.
+    constexpr bool heated = requires { state.material[0].internal_energy; };
+    std::array<Measure<T>, heated ? points : 0> measures;
+    for (std::size_t i = 0; i < points; ++i)
+      if constexpr (heated) {
+        measure(i, measures[i]);
+      } else {
+        Measure<T> measured;
+        measure(i, measured);
+        advance(i, measured);
+      }
+
+    const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
+    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / material.density()) * J};
+    T q = bulk_viscosity.pressure(before.wave(), stability.crossing_time(before.wave()), theta);
+    if constexpr (requires { material.intact(state.material[0]); })
+      q = select(intact_volume > 0.0, q * (intact_volume * per_volume), T(0.0));
+    response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
+    if constexpr (heated)
+      for (std::size_t i = 0; i < points; ++i) {
+        heat(state.material[i], response.bulk_viscosity_work * state.inverse_volume);
+        advance(i, measures[i]);
+      }
+
     const T P = T(1.0 / 64.0) * (tension * per_volume - q);
     F.a1 += P * g.a1, F.a2 += P * g.a2, F.a3 += P * g.a3;
     F.b1 += P * g.b1, F.b2 += P * g.b2, F.b3 += P * g.b3;
     response.force = to_nodes(F);
 
+    response.volume = select(least_volume > 0.0, V, least_volume);
+    const Moduli<T> moduli = larger(before, after);
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
     response.critical_rate = stability.vibration(material, moduli, zeta).critical_rate();
     if constexpr (requires { material.intact(state.material[0]); }) silence(intact > 0.0, response);

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include <strike/element/element.hpp>
 
 namespace strike {
@@ -64,10 +66,31 @@ struct Hex8Gradient {
     return T(T(1.0 / 64.0) * per_volume) * L;
   }
 
+  /// The transpose: the forces on the modes of the mean stress sigma, V sigma grad N_I in the nodes.
+  Hex8Modes<T> forces_of(const Matrix3<T>& sigma) const {
+    const Matrix3<T> P = T(1.0 / 64.0) * sigma;
+    return {times(P, a1), times(P, a2), times(P, a3), times(P, b1), times(P, b2), times(P, b3), Vector3<T>::Zero()};
+  }
+
   /// 512 B_iI B_jI = sum_k g_k (x) g_k: the part of the modes a, all there is in a parallelepiped, ...
   SymmetricTensor<T> squared_a() const { return outer_square(a1) + outer_square(a2) + outer_square(a3); }
   /// ... and the part of the modes b.
   SymmetricTensor<T> squared_b() const { return outer_square(b1) + outer_square(b2) + outer_square(b3); }
 };
+
+/// The four vectors of the hourglass modes b1, b2, b3 and d of a hexahedron: rates, or the resistance to them.
+template <class T>
+using HourglassModes = std::array<Vector3<T>, 4>;
+
+/// The nodal forces of the mean stress sigma and of Q_k, the resistance to the hourglass rates u_k - L m_k.
+template <class T>
+Nodal<T, 8> nodal_forces(const SymmetricTensor<T>& sigma, const HourglassModes<T>& Q, const Hex8Modes<T>& m,
+                         const Hex8Gradient<T>& g, const T& per_volume) {
+  Matrix3<T> Qm = outer(Q[0], m.b1);
+  add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
+  Hex8Modes<T> F = g.forces_of(sigma.matrix() - per_volume * Qm);
+  F.b1 = Q[0] + F.b1, F.b2 = Q[1] + F.b2, F.b3 = Q[2] + F.b3, F.d = Q[3];
+  return to_nodes(F);
+}
 
 }  // namespace strike

@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hourglass.hpp>
 
@@ -37,13 +35,9 @@ struct Hex8Resistance {
       return hourglass * minus_times(u_k, L, m_k);
     };
     const HourglassModes<T> Q{against(u.b1, m.b1), against(u.b2, m.b2), against(u.b3, m.b3), against(u.d, m.d)};
-    Matrix3<T> Qm = outer(Q[0], m.b1);
-    add_outer(Qm, Q[1], m.b2), add_outer(Qm, Q[2], m.b3), add_outer(Qm, Q[3], m.d);
     const SymmetricTensor<T> sigma =
         SymmetricTensor<T>::isotropic(lambda * L.trace()) + T(2.0 * shear) * symmetric_part(L);
-    const Matrix3<T> P = T(1.0 / 64.0) * Matrix3<T>(sigma.matrix() - per_volume * Qm);
-    return to_nodes<T>({times(P, g.a1), times(P, g.a2), times(P, g.a3), Q[0] + times(P, g.b1), Q[1] + times(P, g.b2),
-                        Q[2] + times(P, g.b3), Q[3]});
+    return nodal_forces(sigma, Q, m, g, per_volume);
   }
 };
 

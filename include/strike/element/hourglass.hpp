@@ -1,15 +1,10 @@
 #pragma once
-#include <array>
 #include <concepts>
 #include <tuple>
 
 #include <strike/element/hex8_modes.hpp>
 
 namespace strike {
-
-/// The four vectors of the hourglass modes b1, b2, b3 and d of a hexahedron: rates, or the resistance to them.
-template <class T>
-using HourglassModes = std::array<Vector3<T>, 4>;
 
 /// What an hourglass control may know of its element.
 template <class T>
