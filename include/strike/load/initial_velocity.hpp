@@ -26,4 +26,19 @@ class InitialVelocity {
   std::vector<Index> nodes_;
 };
 
+/// The velocity of all nodes at the begin as a function of their positions, Eigen::Vector3d(const Eigen::Vector3d&).
+template <class Field>
+class InitialVelocityField {
+ public:
+  explicit InitialVelocityField(Field field) : field_(std::move(field)) {}
+
+  template <class N>
+  void begin(N& nodes) const {
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, field_(nodes.x(i)));
+  }
+
+ private:
+  Field field_;
+};
+
 }  // namespace strike
