@@ -166,10 +166,9 @@ void report(const Record& record, unsigned mesh, const std::string& rule, unsign
                .y = {.label = "inward displacement", .unit = "in"}}};
   chart.curve("at the middle", record.times, record.points[0].displacement);
   chart.curve("at three quarters", record.times, record.points[1].displacement);
-  if (known) {
-    chart.points("same mesh and rule, peak", {1000 * record.points[0].peak_time}, {reference->middle});
-    chart.points("same mesh and rule, peak", {1000 * record.points[1].peak_time}, {reference->three_quarters});
-  }
+  if (known)
+    chart.points("same mesh and rule: peaks", {1000 * record.points[0].peak_time, 1000 * record.points[1].peak_time},
+                 {reference->middle, reference->three_quarters});
   chart.write("displacement.svg");
   Picture picture{{.title = "Explosively loaded panel at 1 ms",
                    .quantity = "plastic strain, mean over the thickness",

@@ -39,7 +39,7 @@ struct RectangleShape {
 
 /// Quadrilaterals that fill a rectangle, facing +z. Errors: an edge that is not positive, no cells.
 inline Mesh rectangle(const RectangleShape& shape) {
-  const auto [width, height] = shape.size;
+  const double width = shape.size[0], height = shape.size[1];
   if (!(width > 0 && height > 0) || !std::isfinite(width + height))
     throw Error(detail::joined({"A rectangle of size ", detail::text(width), " x ", detail::text(height),
                                 " has no area: give two positive edges in `.size`."}));
@@ -59,7 +59,7 @@ struct PanelShape {
 /// Quadrilaterals on a part of a cylinder, facing outward. Errors: a radius, length or arc that is not positive, no
 /// cells.
 inline Mesh panel(const PanelShape& shape) {
-  const auto [from, to] = shape.arc;
+  const double from = shape.arc[0], to = shape.arc[1];
   if (!(shape.radius > 0 && shape.length > 0 && to > from) || !std::isfinite(shape.radius + shape.length + to - from))
     throw Error(detail::joined({"A panel of radius ", detail::text(shape.radius), ", length ",
                                 detail::text(shape.length), " and arc ", detail::text(from), " to ", detail::text(to),
