@@ -47,7 +47,7 @@ PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const 
   constexpr double least = sizeof(Real) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
   const double G3 = 3.0 * law.shear_modulus;
   const T& e = state.equivalent_plastic_strain;
-  if constexpr (requires { law.plastic_increment(m, e, dt); }) {
+  if constexpr (RateIndependentFlow<S> && requires { law.plastic_increment(m, e, dt); }) {
     // p [kappa + (1 - kappa) t(Q(p))] = 1 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa. With linear hardening f is
     // convex and falls, so that Newton's steps go up to the root and never past it.
     T p = T(1.0), lower = T(1.0), upper = T(1.0 / kappa);
@@ -164,10 +164,10 @@ struct PlaneStress {
 
   /// d_zz of the step: tr(stress)/(3 K) is the volume strain, whatever has flowed.
   template <class T>
-  T normal_rate(const State<T>&, const PlaneStressKinematics::Rate<T>& rate, double dt,
+  T normal_rate(const State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt,
                 const PlaneTensor<T>& change) const {
     const double K3 = 3 * detail::LinearSolid<S>::parts(solid).eos.bulk_modulus;
-    return (1 / (K3 * dt)) * trace(change) - trace(rate.rate_of_deformation);
+    return (1 / (K3 * dt)) * trace(change) - trace(felt(state, rate.rate_of_deformation));
   }
 
   template <class T>
