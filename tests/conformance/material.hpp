@@ -279,26 +279,23 @@ void knows_its_thickness(const M& material, const Drive& drive) {
   using P = Pack<double, 4>;
   detail::Point<M, double> point(material);
   detail::Point<M, P> pack(material);
-  const auto strain_across = [&](auto& p, const auto& e) {
-    const auto rate = p.rate(e, p.J, drive.dt);
+  const auto strain_across = [&]<class T>(detail::Point<M, T>& p, const detail::Tensor<M, T>& e) -> T {
     const auto before = p.stress;
     p.step(e, drive.dt);
-    using T = std::decay_t<decltype(p.J)>;
-    return T(drive.dt * material.normal_rate(p.state, rate, drive.dt, p.stress - before));
+    return drive.dt * material.normal_rate(p.state, p.rate(e, p.J, drive.dt), drive.dt, p.stress - before);
   };
   detail::at_most(std::abs(strain_across(point, {})), 1e-15, "at rest the thickness stays", 0);
-  strain_across(pack, detail::Tensor<M, P>{});
-  std::size_t step = 0;
+  strain_across(pack, {});
+  std::size_t steps = 0;
   for (const auto& e : detail::wander<M>(drive, 10)) {
+    ++steps;
     const auto before = point.stress;
     const double across = strain_across(point, e);
-    // K >= E/3, for no nu is less than 0
-    const double pressed = std::abs(trace(point.stress - before)) / point.moduli().normal;
+    const double pressed = std::abs(trace(point.stress - before)) / point.moduli().normal;  // 3 K >= E/(1 - nu^2)
     detail::at_most(std::abs(trace(e) + across), pressed * (1 + 10 * drive.strain) + 4 * drive.strain * drive.strain,
-                    "the volume follows from the stress", step);
-    const P across_in_lanes = strain_across(pack, detail::Tensor<M, P>{P(e.xx), P(e.yy), P(e.xy)});
-    detail::at_most(std::abs(across_in_lanes[3] - across), 1e-15 * double(++step), "a lane gives what a double gives",
-                    step);
+                    "the volume follows from the stress", steps);
+    const P in_lanes = strain_across(pack, {P(e.xx), P(e.yy), P(e.xy)});
+    detail::at_most(std::abs(in_lanes[3] - across), 1e-15 * double(steps), "a lane gives what a double gives", steps);
   }
 }
 
@@ -348,10 +345,10 @@ void bears_extremes(const M& material) {
               rates = {D, -D, 0.5 * D, D, -D, D};
             else
               rates = {D, -0.5 * D, D};
-            const auto rate = point.rate(T(dt) * rates, T(J), dt);
-            const auto sigma = material.stress(point.state, rate, dt);
+            const auto extreme = point.rate(T(dt) * rates, T(J), dt);
+            const auto sigma = material.stress(point.state, extreme, dt);
             detail::holds(finite(sigma), "no NaN and no infinity in the stress", i);
-            const T wave = material.moduli(point.state, rate).wave();
+            const T wave = material.moduli(point.state, extreme).wave();
             detail::holds(std::isfinite(lane(wave, 0)), "no NaN and no infinity in the moduli", i);
           }
         }

@@ -48,7 +48,7 @@ struct ZeroNormalStress {
   /// before the step. The first guess is the elastic one, exact where nothing flows.
   template <class T>
   PlaneTensor<T> stress(State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt) const {
-    constexpr double rounding = 32.0 * std::numeric_limits<RealOf<T>>::epsilon();
+    constexpr double rounding = 8.0 * std::numeric_limits<RealOf<T>>::epsilon();
     const State<T> before = state;
     const PlaneTensor<T> D = felt(before, rate.rate_of_deformation);
     SymmetricTensor<T> sigma{};
