@@ -103,7 +103,7 @@ PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const 
 template <class S>
 struct PlaneStress {
   static constexpr bool is_linear = detail::LinearSolid<S>::is, sound = is_linear;
-  static_assert(is_linear,
+  static_assert(is_linear || detail::is_reported<S>(),
                 "strike: PlaneStress is for Elastic and for a Solid of LinearEos and a flow law or ElasticStrength: "
                 "write ZeroNormalStress for any other solid.");
 
