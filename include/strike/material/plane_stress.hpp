@@ -83,7 +83,7 @@ PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const 
       const D Q_x = trial(x), dl = (1.0 / G3) * Q_x * x;
       return Q_x - Q_x * x - flow_stress<S, D>(law, state, e + dl, (1.0 / dt) * dl);
     };
-    T x = falling_root<T>(residual, excess / Q, yields, T(32.0 * epsilon) * Q);
+    T x = falling_root<T>(residual, select(yields, T(excess / Q), T(0.5)), yields, T(32.0 * epsilon) * Q);
     x = select(yields, x, T(0.0));
     return {1.0 - x, (1.0 - x) / (1.0 - (1.0 - kappa) * x), (1.0 / G3) * trial(x) * x};
   }
