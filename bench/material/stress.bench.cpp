@@ -120,6 +120,9 @@ const bool registered = [] {
   prices("PlaneStress RateVonMises", PlaneStress{Solid{linear, rate_von_mises}});
   prices("PlaneStress Voce", PlaneStress{Solid{linear, voce}});
   prices("PlaneStress JohnsonCook", PlaneStress{Solid{linear, johnson_cook}});
+  prices("ZeroNormalStress Elastic", ZeroNormalStress{elastic});
+  prices("ZeroNormalStress LinearEos VonMises", ZeroNormalStress{Solid{linear, von_mises}});
+  prices("ZeroNormalStress GruneisenEos JohnsonCook", ZeroNormalStress{Solid{gruneisen, johnson_cook}});
 
   prices("CubicEos", Fluid{CubicEos{.density = 938, .C1 = 2.06e9, .C2 = 6.19e9, .C3 = 10.3e9}});
   prices("IdealGas Newtonian",

@@ -69,7 +69,7 @@ struct Fabric {
   PlaneModuli<T> moduli(const State<T>&, const PlaneStressKinematics::Rate<T>&) const {
     return {T(stiffness), T(shear_stiffness)};
   }
-  /// As of nu = 0.
+  /// d_zz of the step that changed the stress so, from which the thickness follows: here as of nu = 0.
   template <class T>
   T normal_rate(const State<T>&, const PlaneStressKinematics::Rate<T>&, double, const PlaneTensor<T>&) const {
     return T(0.0);

@@ -126,23 +126,23 @@ requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
   }
   static bool is_given(double stress) { return !std::isnan(stress); }
 
-  /// Where a step with the rate of deformation D and the axial vector w of the spin leads.
-  Record<M> answer(const Tensor& D, const Vector3<double>& w, double dt) const {
+  /// Where a step with this rate of deformation and the axial vector w of the spin leads.
+  Record<M> answer(const Tensor& rate_of_deformation, const Vector3<double>& w, double dt) const {
     Record<M> next = now_;
     next.time += dt;
-    next.rate_of_deformation = D;
+    Tensor D = rate_of_deformation;
     if constexpr (is_plane) {
       const PlaneStressKinematics::Rate<double> rate{in_plane(D)};
       next.stress = in_space(material_.stress(next.state, rate, dt));
-      next.rate_of_deformation = in_space(rate.rate_of_deformation);
-      next.rate_of_deformation.zz = material_.normal_rate(next.state, rate, dt, in_plane(next.stress - now_.stress));
+      D = in_space(rate.rate_of_deformation);
+      D.zz = material_.normal_rate(next.state, rate, dt, in_plane(next.stress - now_.stress));
     }
+    next.rate_of_deformation = D;
     Matrix3<double> W;
     W << 0, -w(2), w(1), w(2), 0, -w(0), -w(1), w(0), 0;
-    const Matrix3<double> h = 0.5 * dt * (next.rate_of_deformation.matrix() + W), I = Matrix3<double>::Identity();
+    const Matrix3<double> h = 0.5 * dt * (D.matrix() + W), I = Matrix3<double>::Identity();
     next.deformation_gradient = (I - h).inverse() * (I + h) * now_.deformation_gradient;
-    const double J = next.relative_volume(),
-                 J_mid = J - 0.5 * volume_increment(J, dt * trace(next.rate_of_deformation));
+    const double J = next.relative_volume(), J_mid = J - 0.5 * volume_increment(J, dt * trace(D));
 
     const auto turn = rotation_.turn(Vector3<double>(dt * w));
     turn_tensors(turn, next.state);
