@@ -1,8 +1,9 @@
-#include <array>
 #include <cmath>
 #include <random>
+#include <type_traits>
 
 #include <strike/material.hpp>
+#include <strike/scalar/dual.hpp>
 #include <strike/verify/material_point.hpp>
 
 #include "support/catch.hpp"
@@ -123,6 +124,28 @@ TEST_CASE("plane stress: a law's own way to the increment and the general one ag
       CHECK(a.equivalent_plastic_strain == Approx(b.equivalent_plastic_strain).epsilon(1e-12));
     }
   }
+}
+
+TEST_CASE("plane stress: dual numbers give the tangent of a step, as differences do") {
+  using D = Dual<double, 1>;
+  const auto check = [](const auto& law) {
+    const PlaneStress material{Solid{linear, law}};
+    using M = std::decay_t<decltype(material)>;
+    const double dt = 1e-6, h = 1e-8;
+    for (const double yy : {-5e-3, 0.0, 2e-3, 1e-2}) {
+      const auto after = [&](const auto& xx) {
+        using T = std::decay_t<decltype(xx)>;
+        typename M::template State<T> state;
+        return material.stress(state, {{(1 / dt) * xx, T(yy / dt), T(3e-3 / dt)}}, dt).yy;
+      };
+      const double difference = (after(1e-2 + h) - after(1e-2 - h)) / (2 * h);
+      CHECK(std::abs(after(D::variable(1e-2, 0)).derivative(0) - difference) <
+            1e-7 * E);  // rounding gives 1e-2 epsilon/h of E
+    }
+  };
+  check(VonMises{.shear_modulus = G, .yield_stress = Y, .hardening_modulus = 1e9});
+  check(LinearHardening{G, Y, 1e9});
+  check(RateVonMises{G, Y, 1e9, .1, .25});
 }
 
 TEST_CASE(
