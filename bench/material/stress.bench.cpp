@@ -29,16 +29,18 @@ void price(benchmark::State& bench, const M& material, Motion motion) {
   const double rate = motion == Motion::usual ? 2e-3 / dt : tiny;
 
   std::vector<State> states(points / lanes<T>);
-  std::vector<SolidKinematics::Rate<T>> rates(states.size());
+  std::vector<typename M::Kinematics::template Rate<T>> rates(states.size());
   for (auto& state : states)
     if constexpr (requires { material.begin(state); }) material.begin(state);
   for (std::size_t i = 0; i < points; ++i) {
-    auto& [D, J] = rates[i / lanes<T>];
+    auto& rate_i = rates[i / lanes<T>];
+    auto& D = rate_i.rate_of_deformation;
     const double phase = double(i) / points;
     set_lane(D.xx, i % lanes<T>, static_cast<Real>(rate * (0.5 - phase)));
     set_lane(D.yy, i % lanes<T>, static_cast<Real>(-rate * (0.4 - phase)));
     set_lane(D.xy, i % lanes<T>, static_cast<Real>(rate * phase));
-    set_lane(J, i % lanes<T>, static_cast<Real>(0.99));
+    if constexpr (requires { rate_i.relative_volume; })
+      set_lane(rate_i.relative_volume, i % lanes<T>, static_cast<Real>(0.99));
   }
   std::optional<FlushDenormals> flush;
   if (motion == Motion::flushed) flush.emplace();
@@ -85,26 +87,43 @@ const bool registered = [] {
   const GruneisenEos gruneisen{.density = 8930, .sound_speed = 3940, .S1 = 1.489, .gamma = 1.99};
   const VonMises von_mises{.shear_modulus = 43.3e9, .yield_stress = 40e6, .hardening_modulus = 100e6};
 
-  prices("Elastic", Elastic{.reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = .35});
+  const Elastic elastic{.reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = .35};
+  const RateVonMises rate_von_mises{.shear_modulus = 43.3e9,
+                                    .yield_stress = 40e6,
+                                    .hardening_modulus = 100e6,
+                                    .rate_factor = .111,
+                                    .rate_exponent = .25};
+  const Voce voce{43.3e9, 40e6, 200e6, 10};
+  const JohnsonCook johnson_cook{.shear_modulus = 43.3e9,
+                                 .A = 90e6,
+                                 .B = 292e6,
+                                 .n = .31,
+                                 .C = .025,
+                                 .m = 1.09,
+                                 .initial_temperature = 294,
+                                 .melting_temperature = 1356,
+                                 .heating = 2.6e-7};
+
+  prices("Elastic", elastic);
   prices("LinearEos VonMises", Solid{linear, von_mises});
-  prices("LinearEos RateVonMises", Solid{linear, RateVonMises{.shear_modulus = 43.3e9,
-                                                              .yield_stress = 40e6,
-                                                              .hardening_modulus = 100e6,
-                                                              .rate_factor = .111,
-                                                              .rate_exponent = .25}});
-  prices("LinearEos Voce", Solid{linear, Voce{43.3e9, 40e6, 200e6, 10}});
-  prices("LinearEos JohnsonCook", Solid{linear, JohnsonCook{.shear_modulus = 43.3e9,
-                                                            .A = 90e6,
-                                                            .B = 292e6,
-                                                            .n = .31,
-                                                            .C = .025,
-                                                            .m = 1.09,
-                                                            .initial_temperature = 294,
-                                                            .melting_temperature = 1356,
-                                                            .heating = 2.6e-7}});
+  prices("LinearEos RateVonMises", Solid{linear, rate_von_mises});
+  prices("LinearEos Voce", Solid{linear, voce});
+  prices("LinearEos JohnsonCook", Solid{linear, johnson_cook});
   prices("LinearEos VonMises UltimateStress", Solid{linear, von_mises, UltimateStress{.ultimate_stress = 1e12}});
   prices("PolynomialEos VonMises", Solid{polynomial, von_mises});
   prices("GruneisenEos VonMises", Solid{gruneisen, von_mises});
+
+  const VonMises strong{.shear_modulus = 43.3e9, .yield_stress = 40e9};
+  prices("PlaneStress Elastic", PlaneStress{elastic});
+  prices("PlaneStress VonMises, elastic", PlaneStress{Solid{linear, strong}});
+  prices("PlaneStress VonMises", PlaneStress{Solid{linear, von_mises}});
+  prices("PlaneStress RateVonMises", PlaneStress{Solid{linear, rate_von_mises}});
+  prices("PlaneStress Voce", PlaneStress{Solid{linear, voce}});
+  prices("PlaneStress JohnsonCook", PlaneStress{Solid{linear, johnson_cook}});
+  prices("ZeroNormalStress Elastic", ZeroNormalStress{elastic});
+  prices("ZeroNormalStress LinearEos VonMises", ZeroNormalStress{Solid{linear, von_mises}});
+  prices("ZeroNormalStress GruneisenEos JohnsonCook", ZeroNormalStress{Solid{gruneisen, johnson_cook}});
+
   prices("CubicEos", Fluid{CubicEos{.density = 938, .C1 = 2.06e9, .C2 = 6.19e9, .C3 = 10.3e9}});
   prices("IdealGas Newtonian",
          Fluid{IdealGas{.density = 1.2, .gamma = 1.4, .initial_energy = 2.5e5}, Newtonian{.viscosity = 1e-5}});

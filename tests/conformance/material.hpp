@@ -41,48 +41,71 @@ inline void holds(bool truth, const char* law, std::size_t step) {
   CHECK(truth);
 }
 
-inline constexpr std::array component{&SymmetricTensor<double>::xx, &SymmetricTensor<double>::yy,
-                                      &SymmetricTensor<double>::zz, &SymmetricTensor<double>::xy,
-                                      &SymmetricTensor<double>::yz, &SymmetricTensor<double>::zx};
+/// The components of a tensor in space or in a plane.
+template <class Tensor>
+constexpr auto components() {
+  if constexpr (requires(Tensor a) { a.zz; })
+    return std::array{&Tensor::xx, &Tensor::yy, &Tensor::zz, &Tensor::xy, &Tensor::yz, &Tensor::zx};
+  else
+    return std::array{&Tensor::xx, &Tensor::yy, &Tensor::xy};
+}
+template <class Tensor>
+inline constexpr auto component = components<Tensor>();
+
+/// Stress and strain are tensors of one kind.
+template <class M, class T = double>
+using Tensor = typename M::Kinematics::template Stress<T>;
 
 template <class M, class T>
 struct Point {
   const M& material;
   typename M::template State<T> state{};
   T J = T(1.0);
-  SymmetricTensor<T> stress{};
+  Tensor<M, T> stress{};
 
   explicit Point(const M& m) : material(m) {
     if constexpr (requires { material.begin(state); }) material.begin(state);
     stress = material.stress(std::as_const(state));
   }
-  /// A step of the strain increment e, as mid-step kinematics has it.
-  void step(const SymmetricTensor<T>& e, double dt) {
-    const Matrix3<T> h = 0.5 * e.matrix(), I = Matrix3<T>::Identity();
-    const auto det = [](const Matrix3<T>& A) -> T {
-      return determinant(SymmetricTensor<T>{A(0, 0), A(1, 1), A(2, 2), A(0, 1), A(1, 2), A(2, 0)});
-    };
-    J = J * (det(I + h) / det(I - h));
-    stress = material.stress(state, {T(1 / dt) * e, J}, dt);
+  /// The rate that a strain increment e and a volume J make.
+  static auto rate(const Tensor<M, T>& e, const T& J, double dt) {
+    typename M::Kinematics::template Rate<T> rate{T(1 / dt) * e};
+    if constexpr (SolidMaterial<M>) rate.relative_volume = J;
+    return rate;
   }
-  Moduli<T> moduli() const { return material.moduli(state, {{}, J}); }
+  /// A step of the strain increment e, as mid-step kinematics has it.
+  void step(const Tensor<M, T>& e, double dt) {
+    if constexpr (SolidMaterial<M>) {
+      const Matrix3<T> h = 0.5 * e.matrix(), I = Matrix3<T>::Identity();
+      const auto det = [](const Matrix3<T>& A) -> T {
+        return determinant(SymmetricTensor<T>{A(0, 0), A(1, 1), A(2, 2), A(0, 1), A(1, 2), A(2, 0)});
+      };
+      J = J * (det(I + h) / det(I - h));
+    }
+    stress = material.stress(state, rate(e, J, dt), dt);
+  }
+  auto moduli() const { return material.moduli(state, rate({}, J, 1)); }
 };
 
 /// Strain increments that wander and come back now and then; the trace stays small, so that gases live too.
-inline std::vector<SymmetricTensor<double>> wander(const Drive& drive, unsigned seed) {
+template <class M>
+std::vector<Tensor<M>> wander(const Drive& drive, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
-  std::vector<SymmetricTensor<double>> path(drive.steps);
-  SymmetricTensor<double> trend{};
+  std::vector<Tensor<M>> path(drive.steps);
+  Tensor<M> trend{};
   for (std::size_t i = 0; i < drive.steps; ++i) {
     if (i % 10 == 0)
-      for (const auto c : component) trend.*c = unit(random);
-    for (const auto c : component) path[i].*c = drive.strain * (0.7 * trend.*c + 0.3 * unit(random));
+      for (const auto c : component<Tensor<M>>) trend.*c = unit(random);
+    for (const auto c : component<Tensor<M>>) path[i].*c = drive.strain * (0.7 * trend.*c + 0.3 * unit(random));
   }
   return path;
 }
 
-inline double norm(const SymmetricTensor<double>& a) { return a.matrix().norm(); }
+template <class A>
+double norm(const A& a) {
+  return std::sqrt(double_dot(a, a));
+}
 
 template <class M>
 double viscosity(const M& material) {
@@ -97,7 +120,7 @@ template <class M>
 double stress_scale(const M& material, const Drive& drive) {
   Point<M, double> point(material);
   double scale = point.moduli().wave();
-  for (const auto& e : wander(drive, 1)) {
+  for (const auto& e : wander<M>(drive, 1)) {
     point.step(e, drive.dt);
     scale = std::max({scale, point.moduli().wave(), norm(point.stress)});
   }
@@ -119,7 +142,7 @@ void rests(const M& material, const Drive& drive) {
     }
   };
   rest();
-  for (const auto& e : detail::wander(drive, 2)) point.step(e, drive.dt);
+  for (const auto& e : detail::wander<M>(drive, 2)) point.step(e, drive.dt);
   rest();
 }
 
@@ -130,21 +153,20 @@ void lanes_agree(const M& material, const Drive& drive) {
   const double rounding = std::numeric_limits<RealOf<P>>::epsilon() * detail::stress_scale(material, drive);
   detail::Point<M, P> pack(material);
   std::vector<detail::Point<M, double>> alone(lanes<P>, detail::Point<M, double>(material));
-  std::vector<std::vector<SymmetricTensor<double>>> paths;
-  for (unsigned l = 0; l < lanes<P>; ++l) paths.push_back(detail::wander(drive, 3 + l));
+  std::vector<std::vector<detail::Tensor<M>>> paths;
+  for (unsigned l = 0; l < lanes<P>; ++l) paths.push_back(detail::wander<M>(drive, 3 + l));
   for (std::size_t i = 0; i < drive.steps; ++i) {
-    const auto of_lanes = [&](auto c) {
-      return P::generate([&](std::size_t l) { return l == 0 ? 0.0 : paths[l][i].*c; });  // lane 0 stays at rest
-    };
-    using S = SymmetricTensor<double>;
-    pack.step(
-        {of_lanes(&S::xx), of_lanes(&S::yy), of_lanes(&S::zz), of_lanes(&S::xy), of_lanes(&S::yz), of_lanes(&S::zx)},
-        drive.dt);
+    constexpr auto in_pack = detail::component<detail::Tensor<M, P>>;
+    constexpr auto in_double = detail::component<detail::Tensor<M>>;
+    detail::Tensor<M, P> strains{};
+    for (std::size_t c = 0; c < in_pack.size(); ++c)
+      strains.*in_pack[c] = P::generate([&](std::size_t l) { return l == 0 ? 0.0 : paths[l][i].*in_double[c]; });
+    pack.step(strains, drive.dt);  // lane 0 stays at rest
     for (std::size_t l = 0; l < lanes<P>; ++l) {
-      alone[l].step(l == 0 ? S{} : paths[l][i], drive.dt);
-      const auto at = [&](const P& x) { return static_cast<double>(lane(x, l)); };
-      const S in_lane{at(pack.stress.xx), at(pack.stress.yy), at(pack.stress.zz),
-                      at(pack.stress.xy), at(pack.stress.yz), at(pack.stress.zx)};
+      alone[l].step(l == 0 ? detail::Tensor<M>{} : paths[l][i], drive.dt);
+      detail::Tensor<M> in_lane{};
+      for (std::size_t c = 0; c < in_pack.size(); ++c)
+        in_lane.*in_double[c] = static_cast<double>(lane(pack.stress.*in_pack[c], l));
       detail::at_most(detail::norm(in_lane - alone[l].stress), 16 * double(i + 1) * rounding,
                       "a lane gives what a double gives", i);
     }
@@ -160,19 +182,22 @@ void gives_no_energy(const M& material, const Drive& drive) {
   const double amplitude = 10 * drive.strain;
   for (std::size_t loop = 0; loop < 10; ++loop) {
     const auto corner = [&] {
-      Matrix3<double> F = Matrix3<double>::NullaryExpr([&] { return amplitude * unit(random); });
-      return Matrix3<double>(Matrix3<double>::Identity() + F);
+      return Matrix3<double>(Matrix3<double>::NullaryExpr([&] { return amplitude * unit(random); }));
     };
-    const std::array corners{corner(), corner(), Matrix3<double>(Matrix3<double>::Identity())};
+    const std::array corners{corner(), corner(), Matrix3<double>(Matrix3<double>::Zero())};
     MaterialPoint point{material};
     double turnover = 0;
+    Matrix3<double> begin = Matrix3<double>::Zero();
     for (const auto& end : corners) {
-      const Matrix3<double> begin = point.now().deformation_gradient;
       for (int i = 1; i <= 50; ++i) {
         const double before = point.now().work;
-        point.deform(begin + i / 50. * (end - begin), drive.dt);
+        if constexpr (SolidMaterial<M>)
+          point.deform(Matrix3<double>::Identity() + begin + i / 50. * (end - begin), drive.dt);
+        else
+          point.step((1 / (50 * drive.dt)) * (end - begin), drive.dt);
         turnover += std::abs(point.now().work - before);
       }
+      begin = end;
     }
     detail::at_most(-point.now().work, 2 * amplitude * turnover, "a closed cycle gives no energy", loop);
   }
@@ -188,7 +213,7 @@ void is_frame_indifferent(const M& material, const Drive& drive) {
   MaterialPoint turning{material};
   Matrix3<double> Q = Matrix3<double>::Identity();
   std::size_t steps = 0;
-  for (const auto& e : detail::wander(drive, 6)) {
+  for (const auto& e : detail::wander<M>(drive, 6)) {
     const Vector3<double> axis = Vector3<double>::NullaryExpr([&] { return unit(random); }).normalized();
     const Matrix3<double> turn = Eigen::AngleAxisd(2 * unit(random), axis).toRotationMatrix();
     turning.deform(turn * turning.now().deformation_gradient, drive.dt);
@@ -209,32 +234,68 @@ void is_frame_indifferent(const M& material, const Drive& drive) {
 /// Moduli leave out terms of the order of the stress, and of the strain of the step.
 template <class M>
 void bounds_its_tangent(const M& material, const Drive& drive) {
-  using D = Dual<double, 6>;
+  constexpr auto component = detail::component<detail::Tensor<M>>;
+  constexpr std::size_t n_strains = component.size();
+  using D = Dual<double, n_strains>;
+  constexpr auto dual_component = detail::component<detail::Tensor<M, D>>;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto path = detail::wander(drive, 8);
+  const auto path = detail::wander<M>(drive, 8);
   for (std::size_t steps = 1; steps <= path.size(); steps += 3) {
     detail::Point<M, D> point(material);
     for (std::size_t i = 0; i < steps; ++i) {
       const bool last = i + 1 == steps;
-      const auto of = [&](std::size_t c) {
-        const double value = path[i].*detail::component[c];
-        return last ? D::variable(value, c) : D(value);
-      };
-      point.step({of(0), of(1), of(2), of(3), of(4), of(5)}, drive.dt);
+      detail::Tensor<M, D> e{};
+      for (std::size_t c = 0; c < n_strains; ++c)
+        e.*dual_component[c] = last ? D::variable(path[i].*component[c], c) : D(path[i].*component[c]);
+      point.step(e, drive.dt);
     }
-    const SymmetricTensor<D>& s = point.stress;
-    const double stress = std::max({std::abs(s.xx.value()), std::abs(s.yy.value()), std::abs(s.zz.value())});
+    double stress = 0;
+    for (std::size_t c = 0; c < n_strains; ++c)
+      stress = std::max(stress, std::abs((point.stress.*dual_component[c]).value()));
     const double bound = point.moduli().wave().value() + 2 * detail::viscosity(material) / drive.dt;
     for (int i = 0; i < 20; ++i) {
-      const Vector3<double> n = Vector3<double>::NullaryExpr([&] { return unit(random); }).normalized();
-      const Vector3<D> n_dual(D(n(0)), D(n(1)), D(n(2)));
-      const D normal_stress = quadratic_form(s, n_dual);
-      const auto slope = [&](std::size_t c) { return normal_stress.derivative(c); };  // of a component and its mirror
-      const double tangent = slope(0) * n(0) * n(0) + slope(1) * n(1) * n(1) + slope(2) * n(2) * n(2) +
-                             slope(3) * n(0) * n(1) + slope(4) * n(1) * n(2) + slope(5) * n(2) * n(0);
-      detail::at_most(tangent, bound * (1 + 4 * drive.strain) + 4 * stress, "the moduli bound the tangent", steps);
+      Vector3<double> n = Vector3<double>::NullaryExpr([&] { return unit(random); });
+      if constexpr (!SolidMaterial<M>) n(2) = 0;
+      n.normalize();
+      detail::Tensor<M> nn{}, change{};
+      if constexpr (SolidMaterial<M>)
+        nn = {n(0) * n(0), n(1) * n(1), n(2) * n(2), n(0) * n(1), n(1) * n(2), n(2) * n(0)};
+      else
+        nn = {n(0) * n(0), n(1) * n(1), n(0) * n(1)};
+      for (std::size_t c = 0; c < n_strains; ++c)
+        for (std::size_t k = 0; k < n_strains; ++k)
+          change.*component[c] += (point.stress.*dual_component[c]).derivative(k) * nn.*component[k];
+      detail::at_most(double_dot(nn, change), bound * (1 + 4 * drive.strain) + 4 * stress,
+                      "the moduli bound the tangent", steps);
     }
+  }
+}
+
+/// The rate across: none at rest, and in every step the volume changes by no more than what the change of the stress
+/// presses together; lane i gives what a double gives.
+template <PlaneMaterial M>
+void knows_its_thickness(const M& material, const Drive& drive) {
+  using P = Pack<double, 4>;
+  detail::Point<M, double> point(material);
+  detail::Point<M, P> pack(material);
+  const auto strain_across = [&]<class T>(detail::Point<M, T>& p, const detail::Tensor<M, T>& e) -> T {
+    const auto before = p.stress;
+    p.step(e, drive.dt);
+    return drive.dt * material.normal_rate(p.state, p.rate(e, p.J, drive.dt), drive.dt, p.stress - before);
+  };
+  detail::at_most(std::abs(strain_across(point, {})), 1e-15, "at rest the thickness stays", 0);
+  strain_across(pack, {});
+  std::size_t steps = 0;
+  for (const auto& e : detail::wander<M>(drive, 10)) {
+    ++steps;
+    const auto before = point.stress;
+    const double across = strain_across(point, e);
+    const double pressed = std::abs(trace(point.stress - before)) / point.moduli().normal;  // 3 K >= E/(1 - nu^2)
+    detail::at_most(std::abs(trace(e) + across), pressed * (1 + 10 * drive.strain) + 4 * drive.strain * drive.strain,
+                    "the volume follows from the stress", steps);
+    const P in_lanes = strain_across(pack, {P(e.xx), P(e.yy), P(e.xy)});
+    detail::at_most(std::abs(in_lanes[3] - across), 1e-15 * double(steps), "a lane gives what a double gives", steps);
   }
 }
 
@@ -245,8 +306,11 @@ void stays_failed(const M& material, const Drive& drive) {
     detail::Point<M, double> point(material);
     bool failed = false;
     std::size_t i = 0;
-    for (const auto& e : detail::wander({.strain = 0.1, .dt = drive.dt, .steps = 400}, 9)) {
-      point.step(deviator(e), drive.dt);
+    for (const auto& e : detail::wander<M>({.strain = 0.1, .dt = drive.dt, .steps = 400}, 9)) {
+      if constexpr (SolidMaterial<M>)
+        point.step(deviator(e), drive.dt);
+      else
+        point.step(e, drive.dt);
       const double intact = material.intact(point.state);
       detail::holds(intact == 0 || (intact == 1 && !failed), "what has failed stays so", i);
       failed = intact == 0;
@@ -260,10 +324,10 @@ void stays_failed(const M& material, const Drive& drive) {
 /// No NaN and no infinity from rates and volumes at the ends of what can be.
 template <class T, class M>
 void bears_extremes(const M& material) {
-  const auto finite = [](const SymmetricTensor<T>& a) {
+  const auto finite = [](const detail::Tensor<M, T>& a) {
     for (std::size_t l = 0; l < lanes<T>; ++l)
-      for (const T* x : {&a.xx, &a.yy, &a.zz, &a.xy, &a.yz, &a.zx})
-        if (!std::isfinite(lane(*x, l))) return false;
+      for (const auto c : detail::component<detail::Tensor<M, T>>)
+        if (!std::isfinite(lane(a.*c, l))) return false;
     return true;
   };
   using Real = RealOf<T>;
@@ -276,24 +340,33 @@ void bears_extremes(const M& material) {
           detail::Point<M, T> point(material);
           const T D = T(static_cast<Real>(sign * rate));
           for (std::size_t i = 0; i < 3; ++i) {
-            const auto sigma = material.stress(point.state, {{D, -D, 0.5 * D, D, -D, D}, T(J)}, dt);
+            detail::Tensor<M, T> rates{};
+            if constexpr (SolidMaterial<M>)
+              rates = {D, -D, 0.5 * D, D, -D, D};
+            else
+              rates = {D, -0.5 * D, D};
+            const auto extreme = point.rate(T(dt) * rates, T(J), dt);
+            const auto sigma = material.stress(point.state, extreme, dt);
             detail::holds(finite(sigma), "no NaN and no infinity in the stress", i);
-            const T wave = material.moduli(point.state, {{}, T(J)}).wave();
+            const T wave = material.moduli(point.state, extreme).wave();
             detail::holds(std::isfinite(lane(wave, 0)), "no NaN and no infinity in the moduli", i);
           }
         }
 }
 
 /// All laws.
-template <SolidMaterial M>
-void conforms(const M& material, const Drive& drive = {}) {
+template <class M>
+requires(SolidMaterial<M> || PlaneMaterial<M>) void conforms(const M& material, const Drive& drive = {}) {
   detail::holds(material.density() > 0, "it has a density", 0);
   rests(material, drive);
   lanes_agree<Pack<double, 4>>(material, drive);
   lanes_agree<Pack<double, 8>>(material, drive);
   lanes_agree<Pack<float, 16>>(material, drive);
   gives_no_energy(material, drive);
-  is_frame_indifferent(material, drive);
+  if constexpr (SolidMaterial<M>)
+    is_frame_indifferent(material, drive);
+  else
+    knows_its_thickness(material, drive);
   bounds_its_tangent(material, drive);
   stays_failed(material, drive);
   bears_extremes<double>(material);

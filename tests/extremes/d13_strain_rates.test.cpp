@@ -3,8 +3,11 @@
 #include <vector>
 
 #include <strike/material/eos/linear.hpp>
+#include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
+#include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/zero_normal_stress.hpp>
 #include <strike/scalar/pack.hpp>
 
 #include "support/catch.hpp"
@@ -14,6 +17,40 @@ using namespace strike;
 namespace {
 
 constexpr double G = 80e9, Y = 300e6;
+
+/// Three steps of a plane strain at every rate: finite, on the surface of the law at the rate of the last step.
+template <class T, class M, class Law>
+void check_plane_rates(const M& material, const Law& law, double rounding) {
+  std::vector<double> rates{0, 1e-300};
+  for (int decade = -12; decade <= 12; decade += 2) rates.push_back(std::pow(10, decade));
+  for (const double rate : rates)
+    for (const double step_strain : {1e-6, 1e-3, 1e-1})
+      for (const double across : {-1.0, -0.5, 0.3, 1.0}) {
+        const double dt = rate > 1e-30 ? step_strain / rate : 1;
+        typename M::template State<T> state;
+        if constexpr (requires { material.begin(state); }) material.begin(state);
+        for (int i = 0; i < 3; ++i) {
+          const T before = state.equivalent_plastic_strain;
+          const T D = T(static_cast<RealOf<T>>(rate)) * T(0.5);
+          const auto sigma = material.stress(state, {{D, across * D, 0.3 * D}}, dt);
+          const PlaneTensor<double> s{double(lane(sigma.xx, 0)), double(lane(sigma.yy, 0)), double(lane(sigma.xy, 0))};
+          const double q = equivalent_stress(s), e = double(lane(state.equivalent_plastic_strain, 0)),
+                       dl = e - double(lane(before, 0));
+          CAPTURE(rate, dt, across, i, q, e);
+          REQUIRE(std::isfinite(q));
+          REQUIRE(dl >= 0);
+          if (rate < 1e-30) REQUIRE(q == 0);
+          if (dl > 1e4 * rounding * e) {  // the rate is then known to 1e-4
+            double sigma_y = 0;
+            if constexpr (ThermalFlow<Law>)
+              sigma_y = law.flow_stress(e, dl / dt, law.initial_temperature);
+            else
+              sigma_y = law.flow_stress(e, dl / dt);
+            CHECK(std::abs(q - sigma_y) < (1e-4 + 100 * rounding * 2 * G * step_strain / sigma_y) * sigma_y);
+          }
+        }
+      }
+}
 
 template <class T>
 void check_rates(double rate_factor, double exponent, double H, double rounding) {
@@ -77,4 +114,20 @@ TEST_CASE("D13: the factor at 1e12 is 120.874, at 0 and 1e-300 it is 1, and the 
       const double residual = q - 3 * G * dl - steel.flow_stress(dl, dl / dt);
       if (dl > 0) CHECK(std::abs(residual) < 1e-10 * Y);
     }
+}
+
+TEST_CASE("D13: all rates in plane stress, in closed form and by the strain across") {
+  const LinearEos linear{.density = 7850, .bulk_modulus = 160e9};
+  const auto check = [&](const auto& law) {
+    check_plane_rates<double>(PlaneStress{Solid{linear, law}}, law, 2.3e-16);
+    check_plane_rates<Pack<double, 8>>(PlaneStress{Solid{linear, law}}, law, 2.3e-16);
+    check_plane_rates<Pack<float, 16>>(PlaneStress{Solid{linear, law}}, law, 1.2e-7);
+    check_plane_rates<double>(ZeroNormalStress{Solid{linear, law}}, law, 64 * 2.3e-16);
+  };
+  for (const double H : {0.0, 1e9}) {
+    check(RateVonMises{G, Y, H, std::pow(40.4, -0.2), 0.2});
+    check(RateVonMises{G, Y, H, 1e-6, 1});
+    check(RateVonMises{G, Y, H, 1e-9, 1.5});
+  }
+  check(JohnsonCook{.shear_modulus = G, .A = Y, .B = 500e6, .n = 0.3, .C = 0.02});
 }

@@ -30,15 +30,6 @@ concept HasKinematics = requires {
   typename M::Kinematics;
 };
 
-/// What has complained about itself already says so by `sound`.
-template <class E>
-constexpr bool is_reported() {
-  if constexpr (requires { E::sound; })
-    return !E::sound;
-  else
-    return false;
-}
-
 /// What is wrong with a part, asked in this order.
 enum class Flaw { none, reported, element, material, pair, corners, material_members, element_members };
 

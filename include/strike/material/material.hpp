@@ -42,4 +42,15 @@ concept PlaneMaterial = Material<M> && std::same_as<typename M::Kinematics, Plan
 template <class M>
 concept PlateSection = Material<M> && std::same_as<typename M::Kinematics, PlateKinematics>;
 
+namespace detail {
+/// What has complained about itself already says so by `sound`.
+template <class M>
+constexpr bool is_reported() {
+  if constexpr (requires { M::sound; })
+    return !M::sound;
+  else
+    return false;
+}
+}  // namespace detail
+
 }  // namespace strike

@@ -47,10 +47,11 @@ PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const 
   constexpr double least = sizeof(Real) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
   const double G3 = 3.0 * law.shear_modulus;
   const T& e = state.equivalent_plastic_strain;
-  if constexpr (requires { law.plastic_increment(m, e, dt); }) {
+  if constexpr (RateIndependentFlow<S> && requires { law.plastic_increment(m, e, dt); }) {
     // p [kappa + (1 - kappa) t(Q(p))] = 1 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa. With linear hardening f is
     // convex and falls, so that Newton's steps go up to the root and never past it.
     T p = T(1.0), lower = T(1.0), upper = T(1.0 / kappa);
+    PlaneReturn<T> left{T(1.0), T(1.0), T(0.0)};
     for (int i = 0; i < 50; ++i) {
       const D P = D::variable(p, 0), Q2 = max(D(least), d + m * P * P), per_Q = rsqrt(Q2);
       const D dl = law.plastic_increment(D(Q2 * per_Q), D(e), dt);
@@ -62,12 +63,11 @@ PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const 
       const T next = select(newton >= lower && newton <= upper, newton, 0.5 * (lower + upper));
       const T step = next - p;
       p = next;
-      if (!any(step * step > epsilon)) {
-        const T t_end = t.value() + t.derivative(0) * step;
-        return {t_end, t_end * p, dl.value() + dl.derivative(0) * step};
-      }
+      const T t_next = t.value() + t.derivative(0) * step;
+      left = {t_next, t_next * next, dl.value() + dl.derivative(0) * step};
+      if (!any(step * step > epsilon)) break;
     }
-    return {T(1.0), T(1.0), T(0.0)};
+    return left;
   } else {
     const T Q2 = max(T(least), d + m), Q = Q2 * rsqrt(Q2);
     const T excess = Q - flow_stress<S, T>(law, state, e, T(0.0));
@@ -83,7 +83,7 @@ PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const 
       const D Q_x = trial(x), dl = (1.0 / G3) * Q_x * x;
       return Q_x - Q_x * x - flow_stress<S, D>(law, state, e + dl, (1.0 / dt) * dl);
     };
-    T x = falling_root<T>(residual, excess / Q, yields, T(32.0 * epsilon) * Q);
+    T x = falling_root<T>(residual, select(yields, T(excess / Q), T(0.5)), yields, T(32.0 * epsilon) * Q);
     x = select(yields, x, T(0.0));
     return {1.0 - x, (1.0 - x) / (1.0 - (1.0 - kappa) * x), (1.0 / G3) * trial(x) * x};
   }
@@ -103,7 +103,7 @@ PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const 
 template <class S>
 struct PlaneStress {
   static constexpr bool is_linear = detail::LinearSolid<S>::is, sound = is_linear;
-  static_assert(is_linear,
+  static_assert(is_linear || detail::is_reported<S>(),
                 "strike: PlaneStress is for Elastic and for a Solid of LinearEos and a flow law or ElasticStrength: "
                 "write ZeroNormalStress for any other solid.");
 
@@ -131,18 +131,19 @@ struct PlaneStress {
     const double G = parts.strength.shear_modulus, kappa = mean_factor(parts);
     const PlaneTensor<T> d = T(dt) * felt(state, rate.rate_of_deformation);
     const PlaneTensor<T>& old = state.stress;
-    T s = old.xx + old.yy + (6.0 * G * kappa) * (d.xx + d.yy);
-    T r = old.xx - old.yy + (2.0 * G) * (d.xx - d.yy), xy = old.xy + (2.0 * G) * d.xy;
+    T s = trace(old) + (6.0 * G * kappa) * trace(d), r = old.xx - old.yy + (2.0 * G) * (d.xx - d.yy);
+    T xy = old.xy + (2.0 * G) * d.xy;
+    [[maybe_unused]] T dl = T(0.0);
     if constexpr (FlowLaw<Law>) {
       const T m = 0.25 * s * s, shear = 0.75 * r * r + 3.0 * xy * xy;
       const auto left = detail::plane_return(parts.strength, state, m, shear, kappa, dt);
       s = left.mean * s, r = left.shear * r, xy = left.shear * xy;
-      state.equivalent_plastic_strain += left.plastic_increment;
-      if constexpr (ThermalFlow<Law>)
-        state.temperature_rise +=
-            parts.strength.heating * left.plastic_increment * sqrt(0.25 * s * s + 0.75 * r * r + 3.0 * xy * xy);
+      dl = left.plastic_increment;
+      state.equivalent_plastic_strain += dl;
     }
     state.stress = {0.5 * (s + r), 0.5 * (s - r), xy};
+    if constexpr (ThermalFlow<Law>)
+      state.temperature_rise += parts.strength.heating * equivalent_stress(state.stress) * dl;
     if constexpr (requires { state.intact; }) {
       state.intact = select(parts.failure.fails(equivalent_stress(state.stress), state), T(0.0), state.intact);
       state.stress = select(state.intact > 0.0, state.stress, PlaneTensor<T>{});
@@ -164,10 +165,10 @@ struct PlaneStress {
 
   /// d_zz of the step: tr(stress)/(3 K) is the volume strain, whatever has flowed.
   template <class T>
-  T normal_rate(const State<T>&, const PlaneStressKinematics::Rate<T>& rate, double dt,
+  T normal_rate(const State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt,
                 const PlaneTensor<T>& change) const {
     const double K3 = 3 * detail::LinearSolid<S>::parts(solid).eos.bulk_modulus;
-    return (1 / (K3 * dt)) * trace(change) - trace(rate.rate_of_deformation);
+    return (1 / (K3 * dt)) * trace(change) - trace(felt(state, rate.rate_of_deformation));
   }
 
   template <class T>

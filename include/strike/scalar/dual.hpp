@@ -151,8 +151,12 @@ class Dual {
   requires is_constant<U>
   friend Dual pow(const Dual& a, const U& b) {
     const T n(b);
+    const T power = pow(a.value_, n);
+    using Limits = std::numeric_limits<RealOf<T>>;
+    if (all(a.value_ >= Limits::min() && power >= Limits::min() && power <= Limits::max()))
+      return chain(a, power, n * (power / a.value_));
     const T slope = n * pow(a.value_, n - 1);
-    return chain(a, pow(a.value_, n), select(n == T(0) && a.value_ == T(0), T(0), slope));
+    return chain(a, power, select(n == T(0) && a.value_ == T(0), T(0), slope));
   }
   template <class U>
   requires is_constant<U>

@@ -46,26 +46,30 @@ struct Record {
 ///   MaterialPoint point{copper};
 ///   const auto history = point.run(cyclic(uniaxial_stress({.strain = 0.02, .rate = 1e3}), 3));
 ///   write("curve.csv", history);
+/// A material in plane stress stands in its plate's frame and feels no spin; what happens across follows from it.
 /// Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point then
 /// is what it was before the step.
-template <SolidMaterial M, Rotation R = HughesWinget>
-class MaterialPoint {
+template <class M, Rotation R = HughesWinget>
+requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
  public:
   explicit MaterialPoint(M material, R rotation = {}) : material_(std::move(material)), rotation_(std::move(rotation)) {
     if constexpr (requires { material_.begin(now_.state); }) material_.begin(now_.state);
-    now_.stress = material_.stress(std::as_const(now_.state));
+    now_.stress = in_space(material_.stress(std::as_const(now_.state)));
   }
 
   const M& material() const { return material_; }
   const Record<M>& now() const { return now_; }
-  Moduli<double> moduli() const {
-    return material_.moduli(now_.state, {now_.rate_of_deformation, now_.relative_volume()});
+  typename M::Kinematics::template Moduli<double> moduli() const {
+    if constexpr (is_plane)
+      return material_.moduli(now_.state, {in_plane(now_.rate_of_deformation)});
+    else
+      return material_.moduli(now_.state, {now_.rate_of_deformation, now_.relative_volume()});
   }
 
   /// One step with the velocity gradient L in its middle. A component with a prescribed stress reaches that; L has the
   /// first guess of its rate.
   const Record<M>& step(const Matrix3<double>& L, double dt, const PrescribedStress& stress = {}) {
-    return advance(symmetric_part(L), axial_vector(L), dt, stress);
+    return advance(symmetric_part(L), spin(L), dt, stress);
   }
 
   /// One step to the deformation gradient F: L dt = 2 (F - F_old) (F + F_old)^-1.
@@ -97,7 +101,7 @@ class MaterialPoint {
         for (std::size_t c = 0; c < 6; ++c)
           target.*prescribed[c] =
               initial_stress.*component[c] + part * (target.*prescribed[c] - initial_stress.*component[c]);
-        advance(D, axial_vector(segment.velocity_gradient), dt, target);
+        advance(D, spin(segment.velocity_gradient), dt, target);
         D = now_.rate_of_deformation;
         observe(now_);
       }
@@ -113,12 +117,26 @@ class MaterialPoint {
   static constexpr std::array prescribed{&PrescribedStress::xx, &PrescribedStress::yy, &PrescribedStress::zz,
                                          &PrescribedStress::xy, &PrescribedStress::yz, &PrescribedStress::zx};
   static constexpr std::array name{"xx", "yy", "zz", "xy", "yz", "zx"};
+  static constexpr bool is_plane = PlaneMaterial<M>;
+  static Tensor in_space(const Tensor& a) { return a; }
+  static Tensor in_space(const PlaneTensor<double>& a) { return {.xx = a.xx, .yy = a.yy, .xy = a.xy}; }
+  static PlaneTensor<double> in_plane(const Tensor& a) { return {a.xx, a.yy, a.xy}; }
+  static Vector3<double> spin(const Matrix3<double>& L) {
+    return is_plane ? Vector3<double>(Vector3<double>::Zero()) : axial_vector(L);
+  }
   static bool is_given(double stress) { return !std::isnan(stress); }
 
-  /// Where a step with the rate of deformation D and the axial vector w of the spin leads.
-  Record<M> answer(const Tensor& D, const Vector3<double>& w, double dt) const {
+  /// Where a step with this rate of deformation and the axial vector w of the spin leads.
+  Record<M> answer(const Tensor& rate_of_deformation, const Vector3<double>& w, double dt) const {
     Record<M> next = now_;
     next.time += dt;
+    Tensor D = rate_of_deformation;
+    if constexpr (is_plane) {
+      const PlaneStressKinematics::Rate<double> rate{in_plane(D)};
+      next.stress = in_space(material_.stress(next.state, rate, dt));
+      D = in_space(rate.rate_of_deformation);
+      D.zz = material_.normal_rate(next.state, rate, dt, in_plane(next.stress - now_.stress));
+    }
     next.rate_of_deformation = D;
     Matrix3<double> W;
     W << 0, -w(2), w(1), w(2), 0, -w(0), -w(1), w(0), 0;
@@ -130,7 +148,7 @@ class MaterialPoint {
     turn_tensors(turn, next.state);
     const Tensor before = turn(now_.stress);
     const Tensor D_end = rotation_.turn(Vector3<double>(0.5 * dt * w))(D);  // half the spin is still to come
-    next.stress = material_.stress(next.state, {D_end, J}, dt);
+    if constexpr (!is_plane) next.stress = material_.stress(next.state, {D_end, J}, dt);
     next.work += J_mid * dt * 0.5 * double_dot(before + next.stress, D_end);
     return next;
   }

@@ -146,7 +146,9 @@ T plastic_increment(const S& law, const StrengthState<S, T>& state, const T& q, 
       return q - q * x - detail::flow_stress<S, D>(law, state, e + most * x, most / dt * x);
     };
     const T rounding = T(32.0 * std::numeric_limits<RealOf<T>>::epsilon()) * q;
-    return select(yields, most * detail::falling_root<T>(residual, excess / q, yields, rounding), T(0.0));
+    return select(yields,
+                  most * detail::falling_root<T>(residual, select(yields, T(excess / q), T(0.5)), yields, rounding),
+                  T(0.0));
   }
 }
 

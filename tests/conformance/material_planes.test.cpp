@@ -1,0 +1,134 @@
+// The laws of the Material concept, for plane stress in closed form, by the strain across, and of a law of this test.
+#include <type_traits>
+
+#include <strike/material.hpp>
+
+#include "conformance/material.hpp"
+
+using namespace strike;
+using testing::conforms;
+
+namespace {
+
+constexpr double density = 8930, G = 43.3e9, Y = 400e6;
+constexpr LinearEos linear{.density = density, .bulk_modulus = 130e9};
+constexpr CubicEos cubic{.density = density, .C1 = 130e9, .C2 = 120e9, .C3 = 100e9};
+constexpr PolynomialEos hot{
+    .density = density, .C1 = 130e9, .C2 = 120e9, .C3 = 100e9, .C4 = 2, .C5 = 2, .pressure_cutoff = -2e9};
+constexpr GruneisenEos copper{.density = density, .sound_speed = 3940, .S1 = 1.489, .gamma = 1.99, .a = .47};
+
+constexpr Elastic elastic{.reference_density = density, .youngs_modulus = 117e9, .poissons_ratio = .35};
+constexpr ElasticStrength elastic_strength{.shear_modulus = G};
+constexpr VonMises perfect{.shear_modulus = G, .yield_stress = Y};
+constexpr VonMises von_mises{.shear_modulus = G, .yield_stress = Y, .hardening_modulus = 100e6};
+constexpr VonMises softening{.shear_modulus = G, .yield_stress = Y, .hardening_modulus = -1e9};
+constexpr RateVonMises rate_von_mises{
+    .shear_modulus = G, .yield_stress = Y, .hardening_modulus = 1e9, .rate_factor = .111, .rate_exponent = .25};
+constexpr JohnsonCook johnson_cook{.shear_modulus = G,
+                                   .A = 90e6,
+                                   .B = 292e6,
+                                   .n = .31,
+                                   .C = .025,
+                                   .m = .8,
+                                   .initial_temperature = 294,
+                                   .melting_temperature = 1356,
+                                   .heating = 2.6e-7};
+
+/// A flow law of a user's own, as short as they come.
+struct Voce {
+  double shear_modulus, Y, Q, b;
+  template <class T>
+  T flow_stress(const T& e) const {
+    return Y + Q * (1.0 - exp(-b * e));
+  }
+};
+constexpr Voce voce{G, 100e6, 200e6, 10};
+
+/// A plane material of a user's own: fabric, which resists along its threads only, elastic.
+struct Fabric {
+  double stiffness, shear_stiffness;
+
+  using Kinematics = PlaneStressKinematics;
+  template <class T>
+  struct State {
+    PlaneTensor<T> stress{};
+  };
+
+  double density() const { return 1000; }
+  template <class T>
+  PlaneTensor<T> stress(State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt) const {
+    const PlaneTensor<T> d = T(dt) * rate.rate_of_deformation;
+    state.stress += PlaneTensor<T>{stiffness * d.xx, stiffness * d.yy, 2.0 * shear_stiffness * d.xy};
+    return state.stress;
+  }
+  template <class T>
+  PlaneTensor<T> stress(const State<T>& state) const {
+    return state.stress;
+  }
+  template <class T>
+  PlaneModuli<T> moduli(const State<T>&, const PlaneStressKinematics::Rate<T>&) const {
+    return {T(stiffness), T(shear_stiffness)};
+  }
+  /// d_zz of the step that changed the stress so, from which the thickness follows: here as of nu = 0.
+  template <class T>
+  T normal_rate(const State<T>&, const PlaneStressKinematics::Rate<T>&, double, const PlaneTensor<T>&) const {
+    return T(0.0);
+  }
+};
+
+}  // namespace
+
+// The concept, in both directions.
+static_assert(PlaneMaterial<PlaneStress<Elastic>> && PlaneMaterial<PlaneStress<Solid<LinearEos, VonMises>>>);
+static_assert(PlaneMaterial<ZeroNormalStress<Elastic>> && PlaneMaterial<ZeroNormalStress<Solid<CubicEos, VonMises>>>);
+static_assert(PlaneMaterial<Fabric>);
+static_assert(!PlaneMaterial<Elastic> && !PlaneMaterial<Solid<LinearEos, VonMises>> && !PlaneMaterial<int>);
+static_assert(!SolidMaterial<PlaneStress<Elastic>> && !PlateSection<PlaneStress<Elastic>>);
+
+// What is remembered: only what a law asks for. In numbers:
+template <class M>
+constexpr std::size_t numbers = sizeof(typename M::template State<double>) / sizeof(double);
+static_assert(numbers<PlaneStress<Elastic>> == 3);  // stress
+static_assert(numbers<PlaneStress<Solid<LinearEos, ElasticStrength>>> == 3);
+static_assert(numbers<PlaneStress<Solid<LinearEos, VonMises>>> == 4);                 // and plastic strain
+static_assert(numbers<PlaneStress<Solid<LinearEos, JohnsonCook>>> == 5);              // and temperature
+static_assert(numbers<PlaneStress<Solid<LinearEos, VonMises, FailureStrain>>> == 5);  // and whether it is intact
+static_assert(numbers<ZeroNormalStress<Solid<LinearEos, VonMises>>> == 7 + 2);  // the solid's, volume and rate across
+static_assert(sizeof(PlaneStress<Solid<LinearEos, VonMises>>) == sizeof(Solid<LinearEos, VonMises>));
+
+TEST_CASE("conformance: PlaneStress of Elastic") { conforms(PlaneStress{elastic}); }
+TEST_CASE("conformance: PlaneStress of ElasticStrength") { conforms(PlaneStress{Solid{linear, elastic_strength}}); }
+TEST_CASE("conformance: PlaneStress of VonMises, perfectly plastic") { conforms(PlaneStress{Solid{linear, perfect}}); }
+TEST_CASE("conformance: PlaneStress of VonMises") { conforms(PlaneStress{Solid{linear, von_mises}}); }
+TEST_CASE("conformance: PlaneStress of VonMises that softens") { conforms(PlaneStress{Solid{linear, softening}}); }
+TEST_CASE("conformance: PlaneStress of RateVonMises") { conforms(PlaneStress{Solid{linear, rate_von_mises}}); }
+TEST_CASE("conformance: PlaneStress of JohnsonCook") { conforms(PlaneStress{Solid{linear, johnson_cook}}); }
+TEST_CASE("conformance: PlaneStress of a law of this test") { conforms(PlaneStress{Solid{linear, voce}}); }
+TEST_CASE("conformance: PlaneStress of VonMises and UltimateStress") {
+  conforms(PlaneStress{Solid{linear, von_mises, UltimateStress{.ultimate_stress = 450e6}}});
+}
+TEST_CASE("conformance: PlaneStress of JohnsonCook and FailureStrain") {
+  conforms(PlaneStress{Solid{linear, johnson_cook, FailureStrain{.failure_strain = 1}}});
+}
+
+TEST_CASE("conformance: ZeroNormalStress of Elastic") { conforms(ZeroNormalStress{elastic}); }
+TEST_CASE("conformance: ZeroNormalStress of CubicEos and ElasticStrength") {
+  conforms(ZeroNormalStress{Solid{cubic, elastic_strength}});
+}
+TEST_CASE("conformance: ZeroNormalStress of LinearEos and VonMises, perfectly plastic") {
+  conforms(ZeroNormalStress{Solid{linear, perfect}});
+}
+TEST_CASE("conformance: ZeroNormalStress of LinearEos and RateVonMises") {
+  conforms(ZeroNormalStress{Solid{linear, rate_von_mises}});
+}
+TEST_CASE("conformance: ZeroNormalStress of PolynomialEos, VonMises and FailureStrain") {
+  conforms(ZeroNormalStress{Solid{hot, von_mises, FailureStrain{.failure_strain = 1}}});
+}
+TEST_CASE("conformance: ZeroNormalStress of GruneisenEos and JohnsonCook") {
+  conforms(ZeroNormalStress{Solid{copper, johnson_cook}});
+}
+TEST_CASE("conformance: ZeroNormalStress of LinearEos and a law of this test") {
+  conforms(ZeroNormalStress{Solid{linear, voce}});
+}
+
+TEST_CASE("conformance: a plane material of this test") { conforms(Fabric{50e9, 1e9}); }
