@@ -72,7 +72,7 @@ struct Rest {
 /// Lets the mesh come to rest, or gives up after as many steps.
 template <class Element, class Section>
 Rest settle(const Mesh& mesh, const Element& element, const Section& section, Forces load, Supports supports,
-            Index node, const Eigen::Vector3d& direction, std::size_t most_steps = 1000000) {
+            Index node, const Eigen::Vector3d& direction, std::size_t most_steps = 200000) {
   Explicit run{Scene{mesh.nodes, Part{element, section, mesh.quadrilaterals}, std::move(load), std::move(supports)},
                {},
                DynamicRelaxation{}};

