@@ -101,8 +101,6 @@ const A& get(const Slot<i, A>& slot) {
   return slot.value;
 }
 
-struct Nothing {};
-
 /// What a section computes of each layer beforehand.
 template <std::size_t n>
 struct LayerNumbers {
@@ -113,12 +111,12 @@ struct LayerNumbers {
 };
 
 template <class Shear, class T>
-struct ShearLayerState : Nothing {};
+struct ShearLayerState {};
 template <class Shear, class T>
 requires requires { typename Shear::template LayerState<T>; }
 struct ShearLayerState<Shear, T> : Shear::template LayerState<T> {};
 template <class Shear, class T>
-struct ShearState : Nothing {};
+struct ShearState {};
 template <class Shear, class T>
 requires requires { typename Shear::template State<T>; }
 struct ShearState<Shear, T> : Shear::template State<T> {};
@@ -133,9 +131,9 @@ struct LayerState : ShearLayerState<Shear, T> {
 template <class P>
 struct Piece {
   static constexpr bool is_layer = false, is_sound = true, begins = false, can_fail = false;
-  using Numbers = Nothing;
+  struct Numbers {};
   template <class Shear, class T>
-  using State = Nothing;
+  struct State {};
 };
 template <class M, class R>
 struct Piece<Layer<M, R>> {
@@ -482,7 +480,7 @@ class Layered {
 };
 
 /// The section of one layer: Homogeneous{material, thickness}, then a rule, a shear policy, an Offset.
-template <class M, class R = Simpson<5>, class... Options>
+template <class M, ThicknessRule R = Simpson<5>, class... Options>
 struct Homogeneous : Layered<Layer<M, R>, Options...> {
   Homogeneous(const M& material, double thickness, const R& rule, const Options&... options)
       : Layered<Layer<M, R>, Options...>(Layer<M, R>{material, thickness, rule}, options...) {}
