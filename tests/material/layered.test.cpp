@@ -214,6 +214,29 @@ TEST_CASE("layered: interlaminar stresses are the exact ones of long waves") {
     }
 }
 
+TEST_CASE("layered: interlaminar stresses with EffectiveShear are within 1 % of exact elasticity in every lay-up") {
+  for (const SandwichRow& row : sandwiches) {
+    CAPTURE(row.strip.name, row.softness);
+    const double p = row.strip.p();
+    const auto section = row.strip.section(row.softness, EffectiveShear{.length = row.strip.length});
+    auto state = at_rest(section);
+    state.shear(0) = 1 / p;  // under the pressure sin px
+    double bottom = 0, force = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double h = row.strip.thickness[k];
+      for (const double xi : {0.5, 1.0})
+        if (k < 2 || xi < 1) {
+          const double exact = std::abs(row.strip.laminate(row.softness).at(p, bottom + xi * h).T);
+          CHECK(section.shear_stress(state, k, xi)(0) == Approx(exact).epsilon(0.01));
+        }
+      const auto tau = [&](double xi) { return section.shear_stress(state, k, xi)(0); };
+      force += h / 6 * (tau(0) + 4 * tau(0.5) + tau(1));
+      bottom += h;
+    }
+    CHECK(force == Approx(1 / p).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("layered: plastic moments by rule") {
   const double all = 1e6;  // times the curvature of first yield
   CHECK(moment_ratio<Simpson<3>>(all) == Approx(2. / 3).epsilon(1e-9));

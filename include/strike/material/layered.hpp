@@ -362,7 +362,8 @@ class Layered {
   }
 
   /// The transverse shear stress (tau_xz, tau_yz) in layer k at xi of its thickness, from 0 at its bottom to 1 at its
-  /// top: so between layers k and k + 1 it is that of (k, 1). Elastic layers are assumed.
+  /// top: so between layers k and k + 1 it is that of (k, 1). By the flow of elastic layers, over the length of an
+  /// EffectiveShear.
   template <class T>
   Vector2<T> shear_stress(const State<T>& state, std::size_t k, double xi) const {
     Vector2<T> tau = Vector2<T>::Zero();
@@ -456,7 +457,12 @@ class Layered {
     elastic_shear_ = strike::transverse_shear<double>(layers);
     shear_stiffness_ = shear_.stiffness(elastic_shear_);
     std::vector<ShearFlow<double>> flows;
-    each_shear_flow(elastic_shear_, layers, [&](const auto&, const ShearFlow<double>& flow) { flows.push_back(flow); });
+    each_shear_flow(elastic_shear_, layers, [&](const ShearLayer<double>& layer, const ShearFlow<double>& flow) {
+      if constexpr (requires { shear_.flow(elastic_shear_, layer, flow); })
+        flows.push_back(shear_.flow(elastic_shear_, layer, flow));
+      else
+        flows.push_back(flow);
+    });
     std::size_t k = 0;
     each_piece([&](auto i) {
       for (auto& numbers : detail::get<i>(numbers_)) numbers.flow = flows[k++];
