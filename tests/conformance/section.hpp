@@ -174,7 +174,8 @@ void bounds_its_tangent(const M& section, const Drive& drive) {
         for (std::size_t k = 0; k < 8; ++k) tangent += conjugate[j] * s[j].derivative(k) * e[k];
       const double bound = m.extension.normal.value() * a * a + 4 / h * m.coupling.normal.value() * a * b +
                            4 / (h * h) * m.bending.normal.value() * b * b + m.transverse_shear.value() * c * c;
-      detail::at_most(tangent, bound + 1e-10 * detail::section_scale(section), "the moduli bound the tangent", steps);
+      detail::at_most(tangent, bound * (1 + 4 * drive.strain) + 1e-10 * detail::section_scale(section),
+                      "the moduli bound the tangent", steps);
     }
   }
 }

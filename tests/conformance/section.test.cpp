@@ -26,6 +26,11 @@ TEST_CASE("conformance: a section of stiff and soft layers") {
                    EffectiveShear{.length = .3}});
 }
 TEST_CASE("conformance: a section of plies") { conforms(Layered{Plies{Layer{glass, 1e-3, Gauss<2>{}}, 7}}); }
+TEST_CASE("conformance: a section of any solid") {
+  const ZeroNormalStress copper{Solid{GruneisenEos{.density = 8930, .sound_speed = 3940, .S1 = 1.489, .gamma = 1.99},
+                                      VonMises{.shear_modulus = 43.3e9, .yield_stress = 400e6}}};
+  conforms(Layered{Layer{copper, 1e-3}, Layer{glass, 1e-3, Gauss<3>{}}});
+}
 TEST_CASE("conformance: a section whose layers fail") {
   conforms(Layered{Layer{brittle, 1e-3}, Layer{brittle, 2e-3, Simpson<3>{}}});
 }

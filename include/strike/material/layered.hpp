@@ -22,6 +22,13 @@ template <ThicknessRule R>
 inline constexpr std::size_t point_count<R> = R::points.size();
 
 template <class M>
+constexpr bool is_plane_material() {
+  if constexpr (is_reported<M>())
+    return false;
+  else
+    return PlaneMaterial<M>;
+}
+template <class M>
 concept KnowsNormalRate = requires(const M m, const typename M::template State<double> state,
                                    typename M::Kinematics::template Rate<double> rate,
                                    typename M::Kinematics::template Stress<double> change) {
@@ -40,12 +47,13 @@ concept CanFail = requires(const M m, const typename M::template State<double> s
 /// A layer of a plate: a plane material, its thickness, and the rule by which its stress is summed over that.
 template <class M, class R = Simpson<5>>
 struct Layer {
-  static constexpr bool sound_material = PlaneMaterial<M>, sound_rule = ThicknessRule<R>,
-                        sound = sound_material && sound_rule && detail::KnowsNormalRate<M>;
-  static_assert(sound_material,
+  static constexpr bool sound_material = detail::is_plane_material<M>(), sound_rule = ThicknessRule<R>,
+                        sound_normal_rate = sound_material && detail::KnowsNormalRate<M>,
+                        sound = sound_rule && sound_normal_rate;
+  static_assert(sound_material || detail::is_reported<M>(),
                 "strike: the material of a Layer answers in plane stress: wrap a solid in PlaneStress{...} or "
                 "ZeroNormalStress{...}.");
-  static_assert(!sound_material || detail::KnowsNormalRate<M>,
+  static_assert(!sound_material || sound_normal_rate,
                 "strike: the material of a Layer needs normal_rate(state, rate, dt, change), the d_zz of a step that "
                 "changed its stress so; see strike/material/material.hpp.");
   static_assert(sound_rule || !sound_material,
@@ -188,8 +196,7 @@ template <class... Pieces>
 class Layered {
   static constexpr bool known = ((detail::Piece<Pieces>::is_layer || detail::is_option<Pieces>)&&...),
                         has_layers = (detail::Piece<Pieces>::is_layer || ...),
-                        unique = (ShearPolicy<Pieces> + ... + 0) <= 1 && (std::same_as<Pieces, Offset> + ... + 0) <= 1,
-                        sound = known && has_layers && unique && (detail::Piece<Pieces>::is_sound && ...);
+                        unique = (ShearPolicy<Pieces> + ... + 0) <= 1 && (std::same_as<Pieces, Offset> + ... + 0) <= 1;
   static_assert(known,
                 "strike: a Layered is made of Layer{material, thickness}, bottom first, or Plies{layer, count}; then "
                 "an Offset{height} and one of EnergyShear, EffectiveShear, FiveSixthsShear and InstantaneousShear.");
@@ -214,6 +221,7 @@ class Layered {
   }
 
  public:
+  static constexpr bool sound = known && has_layers && unique && (detail::Piece<Pieces>::is_sound && ...);
   using Kinematics = PlateKinematics;
 
   /// Per layer what its points remember, the shear force, and what the shear policy needs.
