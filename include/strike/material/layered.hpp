@@ -208,14 +208,15 @@ class Layered {
   static constexpr bool begins = instantaneous || (detail::Piece<Pieces>::begins || ...);
   static constexpr bool can_fail = (detail::Piece<Pieces>::can_fail || ...);
 
+  static constexpr std::array<bool, sizeof...(Pieces)> is_layer{detail::Piece<Pieces>::is_layer...};
   /// f(i) for the places i of the pieces that have layers.
   template <class F>
   static void each_piece(F f) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      const auto visit = [&]<class P>(auto place, std::type_identity<P>) {
-        if constexpr (detail::Piece<P>::is_layer) f(place);
+      const auto visit = [&](auto place) {
+        if constexpr (is_layer[place]) f(place);
       };
-      (visit(std::integral_constant<std::size_t, i>{}, std::type_identity<Pieces>{}), ...);
+      (visit(std::integral_constant<std::size_t, i>{}), ...);
     }
     (std::index_sequence_for<Pieces...>{});
   }

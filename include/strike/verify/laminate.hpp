@@ -98,11 +98,11 @@ class Laminate {
   double angular_frequency(double p) const {
     const TransverseShear<double> plate = transverse_shear();
     double lower = 0, upper = 1.1 * p * p * p * p * plate.bending / density();  // Kirchhoff's is above
-    const auto determinant = [&](double omega2) { return traction(p, omega2).determinant(); };
-    const bool positive = determinant(0) > 0;
+    const auto at_free_top = [&](double omega2) { return determinant(traction(p, omega2)); };
+    const bool positive = at_free_top(0) > 0;
     for (int bit = 0; bit < 60; ++bit) {
       const double middle = (lower + upper) / 2;
-      ((determinant(middle) > 0) == positive ? lower : upper) = middle;
+      ((at_free_top(middle) > 0) == positive ? lower : upper) = middle;
     }
     return std::sqrt((lower + upper) / 2);
   }
@@ -129,9 +129,19 @@ class Laminate {
         ratio, 0, 1, 0,      //
         0, -Omega, 0, 1,     //
         1 - ratio * ratio - Omega, 0, -ratio, 0;
-    const Matrix4 E = Matrix4(p * h * A).exp();
+    const Matrix4 E = exponential(p * h * A);
     const Vector4 unit(1, 1, p * C11, p * C11);
     return unit.asDiagonal() * E * unit.cwiseInverse().asDiagonal();
+  }
+
+  /// exp A = (exp A/2^n)^(2^n), by its series to 1e-17 where |A|/2^n < 1/2.
+  static Matrix4 exponential(Matrix4 A) {
+    int n = 0;
+    for (; A.norm() > 0.5; ++n) A *= 0.5;
+    Matrix4 E = Matrix4::Identity(), term = E;
+    for (int k = 1; k <= 14; ++k) term = term * A / k, E += term;
+    for (; n > 0; --n) E = E * E;
+    return E;
   }
 
   /// (S, T) on top by (U, W) at the bottom.
@@ -141,6 +151,8 @@ class Laminate {
     return M.bottomLeftCorner<2, 2>();
   }
 
+  static double determinant(const Eigen::Matrix2d& M) { return M(0, 0) * M(1, 1) - M(0, 1) * M(1, 0); }
+
   LaminateWave wave(std::size_t k, double z, double p, const Vector4& state) const {
     const double ratio = layers_[k].poissons_ratio / (1 - layers_[k].poissons_ratio);
     const double X = ratio * state(2) - layers_[k].plane_modulus() * p * state(0);
@@ -148,8 +160,8 @@ class Laminate {
   }
 
   Vector4 at_bottom(double p) const {
-    const Eigen::Vector2d UW = traction(p, 0).inverse() * Eigen::Vector2d(1, 0);
-    return {UW(0), UW(1), 0, 0};
+    const Eigen::Matrix2d M = traction(p, 0);
+    return Vector4(M(1, 1), -M(1, 0), 0, 0) / determinant(M);
   }
 
   std::vector<ElasticLayer> layers_;
