@@ -281,8 +281,7 @@ TEST_CASE("layered: layers fail on their own") {
     const Resultant s = section.stress(state, pull, 1), per_layer = sound.stress(one, pull, 1);
     int intact = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      bool whole = true;
-      state.each_point(k, [&](const auto& point) { whole = whole && point.intact > 0; });
+      const bool whole = state.failed(k) == 0;
       if (!whole && broken_at[k] == 0) broken_at[k] = i;
       intact += whole;
     }
@@ -293,6 +292,7 @@ TEST_CASE("layered: layers fail on their own") {
   CHECK(broken_at[0] > 0);
   CHECK(broken_at[1] == Approx(2 * broken_at[0]).margin(1));
   CHECK(broken_at[2] == 0);
+  CHECK(state.failed(0) == 1);
 
   const Homogeneous all{brittle(1), 1.0};
   auto gone = at_rest(all);
@@ -328,6 +328,10 @@ TEST_CASE("layered: as layers yield, the shear stiffness follows their moduli sl
     if (k == 0) share = layer.share;
     if (k == 1) CHECK(layer.share == Approx(1).epsilon(1e-9));
   });
+  CHECK(state.plastic_strain(0) > 0.1);
+  CHECK(state.plastic_strain(1) == 0);
+  CHECK(state.failed(2) == 0);
+  CHECK(state.mean(1, [](const auto& point) { return point.stress.xx; }) > 1e9);
   CHECK(share < 0.5);
   CHECK(share >= 1e-3);
   const PlaneModuli<double> m = metal.moduli(decltype(metal)::State<double>{}, {});

@@ -38,6 +38,19 @@ template <class M>
 concept Begins = requires(const M m, typename M::template State<double> state) {
   m.begin(state);
 };
+template <class P>
+concept TellsOfShear = requires(const P policy, const TransverseShear<double> shear) {
+  policy.notice(shear, 1.0);
+};
+template <class P>
+concept RecoversFlow = requires(const P policy, const TransverseShear<double> shear, const ShearLayer<double> layer,
+                                const ShearFlow<double> flow) {
+  policy.flow(shear, layer, flow);
+};
+template <class M>
+concept Tells = requires(const M m) {
+  m.notice();
+};
 template <class M>
 concept CanFail = requires(const M m, const typename M::template State<double> state) {
   m.intact(state);
@@ -138,14 +151,14 @@ struct LayerState : ShearLayerState<Shear, T> {
 /// A piece of a section is a layer, some plies, or an option without layers.
 template <class P>
 struct Piece {
-  static constexpr bool is_layer = false, is_sound = true, begins = false, can_fail = false;
+  static constexpr bool is_layer = false, is_plies = false, is_sound = true, begins = false, can_fail = false;
   struct Numbers {};
   template <class Shear, class T>
   struct State {};
 };
 template <class M, class R>
 struct Piece<Layer<M, R>> {
-  static constexpr bool is_layer = true, is_sound = Layer<M, R>::sound;
+  static constexpr bool is_layer = true, is_plies = false, is_sound = Layer<M, R>::sound;
   static constexpr bool begins = Begins<M>, can_fail = CanFail<M>;
   using Numbers = std::array<LayerNumbers<point_count<R>>, 1>;
   template <class Shear, class T>
@@ -155,7 +168,7 @@ struct Piece<Layer<M, R>> {
 };
 template <class M, class R>
 struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
-  static constexpr bool begins = true;
+  static constexpr bool is_plies = true, begins = true;
   using Numbers = std::vector<LayerNumbers<point_count<R>>>;
   template <class Shear, class T>
   using State = std::vector<LayerState<Shear, Layer<M, R>, T>>;
@@ -208,7 +221,8 @@ class Layered {
   static constexpr bool begins = instantaneous || (detail::Piece<Pieces>::begins || ...);
   static constexpr bool can_fail = (detail::Piece<Pieces>::can_fail || ...);
 
-  static constexpr std::array<bool, sizeof...(Pieces)> is_layer{detail::Piece<Pieces>::is_layer...};
+  static constexpr std::array<bool, sizeof...(Pieces)> is_layer{detail::Piece<Pieces>::is_layer...},
+      is_plies{detail::Piece<Pieces>::is_plies...};
   /// f(i) for the places i of the pieces that have layers.
   template <class F>
   static void each_piece(F f) {
@@ -254,6 +268,32 @@ class Layered {
           for (const auto& point : layer.points) f(point);
       });
     }
+    /// The mean of f(point) over the points of layer k; for pictures: part.field([](const auto& s) { return
+    /// s.plastic_strain(2); }).
+    template <class F>
+    T mean(std::size_t k, F f) const {
+      T sum = T(0.0);
+      double points = 0;
+      each_point(k, [&](const auto& point) { sum += f(point), points += 1; });
+      return (1 / points) * sum;
+    }
+    T plastic_strain(std::size_t k) const {
+      return mean(k, [](const auto& point) -> T {
+        if constexpr (requires { point.equivalent_plastic_strain; })
+          return point.equivalent_plastic_strain;
+        else
+          return T(0.0);
+      });
+    }
+    /// The share of the points of layer k that have failed.
+    T failed(std::size_t k) const {
+      return mean(k, [](const auto& point) -> T {
+        if constexpr (requires { point.intact; })
+          return 1.0 - point.intact;
+        else
+          return T(0.0);
+      });
+    }
   };
 
   explicit Layered(const Pieces&... pieces) : pieces_{{pieces}...}, shear_(detail::shear_of(pieces...)) {
@@ -276,9 +316,10 @@ class Layered {
       if (!notice.empty() && all.find(notice) == std::string::npos) all += (all.empty() ? "" : " ") + notice;
     };
     each_piece([&](auto i) {
-      if constexpr (requires { layer<i>().material.notice(); }) tell(layer<i>().material.notice());
+      const auto& material = layer<i>().material;
+      if constexpr (detail::Tells<std::remove_cvref_t<decltype(material)>>) tell(material.notice());
     });
-    if constexpr (requires { shear_.notice(elastic_shear_, length); }) tell(shear_.notice(elastic_shear_, length));
+    if constexpr (detail::TellsOfShear<Shear>) tell(shear_.notice(elastic_shear_, length));
     return all;
   }
 
@@ -288,10 +329,11 @@ class Layered {
     state = {};
     each_piece([&](auto i) {
       auto& layers = detail::get<i>(state.pieces);
-      if constexpr (requires { layers.resize(1); }) layers.resize(detail::get<i>(numbers_).size());
-      for (auto& own : layers)
-        for (auto& point : own.points)
-          if constexpr (requires { layer<i>().material.begin(point); }) layer<i>().material.begin(point);
+      if constexpr (is_plies[i]) layers.resize(detail::get<i>(numbers_).size());
+      const auto& material = layer<i>().material;
+      if constexpr (detail::Begins<std::remove_cvref_t<decltype(material)>>)
+        for (auto& own : layers)
+          for (auto& point : own.points) material.begin(point);
     });
     if constexpr (instantaneous) state.shear_stiffness = T(shear_stiffness_);
   }
@@ -362,7 +404,7 @@ class Layered {
   const {
     T intact = T(0.0);
     each_layer(state, [&](const auto& material, const auto&, const auto& own) {
-      if constexpr (requires { material.intact(own.points[0]); })
+      if constexpr (detail::CanFail<std::remove_cvref_t<decltype(material)>>)
         for (const auto& point : own.points) intact = max(intact, T(material.intact(point)));
       else
         intact = T(1.0);
@@ -428,7 +470,7 @@ class Layered {
     each_piece([&](auto i) {
       const auto& piece = detail::get<i>(pieces_);
       const std::size_t count = detail::Piece<std::remove_cvref_t<decltype(piece)>>::count(piece);
-      if constexpr (requires { detail::get<i>(numbers_).resize(1); }) detail::get<i>(numbers_).resize(count);
+      if constexpr (is_plies[i]) detail::get<i>(numbers_).resize(count);
       const double h = layer<i>().thickness;
       if (!(h >= 0))
         throw Error(detail::joined({"strike: layer ", std::to_string(layers_), " of a section has the thickness ",
@@ -467,7 +509,7 @@ class Layered {
     shear_stiffness_ = shear_.stiffness(elastic_shear_);
     std::vector<ShearFlow<double>> flows;
     each_shear_flow(elastic_shear_, layers, [&](const ShearLayer<double>& layer, const ShearFlow<double>& flow) {
-      if constexpr (requires { shear_.flow(elastic_shear_, layer, flow); })
+      if constexpr (detail::RecoversFlow<Shear>)
         flows.push_back(shear_.flow(elastic_shear_, layer, flow));
       else
         flows.push_back(flow);
