@@ -268,32 +268,6 @@ class Layered {
           for (const auto& point : layer.points) f(point);
       });
     }
-    /// The mean of f(point) over the points of layer k; for pictures: part.field([](const auto& s) { return
-    /// s.plastic_strain(2); }).
-    template <class F>
-    T mean(std::size_t k, F f) const {
-      T sum = T(0.0);
-      double points = 0;
-      each_point(k, [&](const auto& point) { sum += f(point), points += 1; });
-      return (1 / points) * sum;
-    }
-    T plastic_strain(std::size_t k) const {
-      return mean(k, [](const auto& point) -> T {
-        if constexpr (requires { point.equivalent_plastic_strain; })
-          return point.equivalent_plastic_strain;
-        else
-          return T(0.0);
-      });
-    }
-    /// The share of the points of layer k that have failed.
-    T failed(std::size_t k) const {
-      return mean(k, [](const auto& point) -> T {
-        if constexpr (requires { point.intact; })
-          return 1.0 - point.intact;
-        else
-          return T(0.0);
-      });
-    }
   };
 
   explicit Layered(const Pieces&... pieces) : pieces_{{pieces}...}, shear_(detail::shear_of(pieces...)) {
