@@ -151,14 +151,17 @@ struct LayerState : ShearLayerState<Shear, T> {
 /// A piece of a section is a layer, some plies, or an option without layers.
 template <class P>
 struct Piece {
-  static constexpr bool is_layer = false, is_plies = false, is_sound = true, begins = false, can_fail = false;
+  static constexpr bool is_shear = ShearPolicy<P>, is_offset = std::same_as<P, Offset>;
+  static constexpr bool is_layer = false, is_plies = false, is_known = is_shear || is_offset, is_sound = true;
+  static constexpr bool begins = false, can_fail = false;
   struct Numbers {};
   template <class Shear, class T>
   struct State {};
 };
 template <class M, class R>
 struct Piece<Layer<M, R>> {
-  static constexpr bool is_layer = true, is_plies = false, is_sound = Layer<M, R>::sound;
+  static constexpr bool is_shear = false, is_offset = false;
+  static constexpr bool is_layer = true, is_plies = false, is_known = true, is_sound = Layer<M, R>::sound;
   static constexpr bool begins = Begins<M>, can_fail = CanFail<M>;
   using Numbers = std::array<LayerNumbers<point_count<R>>, 1>;
   template <class Shear, class T>
@@ -176,13 +179,10 @@ struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
   static std::size_t count(const Plies<Layer<M, R>>& plies) { return plies.count; }
 };
 
-template <class P>
-inline constexpr bool is_option = ShearPolicy<P> || std::same_as<P, Offset>;
-
 constexpr EnergyShear shear_of() { return {}; }
 template <class P, class... Rest>
 constexpr auto shear_of(const P& piece, const Rest&... rest) {
-  if constexpr (ShearPolicy<P>)
+  if constexpr (Piece<P>::is_shear)
     return piece;
   else
     return shear_of(rest...);
@@ -190,7 +190,7 @@ constexpr auto shear_of(const P& piece, const Rest&... rest) {
 constexpr double offset_of() { return 0; }
 template <class P, class... Rest>
 constexpr double offset_of(const P& piece, const Rest&... rest) {
-  if constexpr (std::same_as<P, Offset>)
+  if constexpr (Piece<P>::is_offset)
     return piece.height;
   else
     return offset_of(rest...);
@@ -207,9 +207,10 @@ constexpr double offset_of(const P& piece, const Rest&... rest) {
 /// Errors: a thickness below zero, or none.
 template <class... Pieces>
 class Layered {
-  static constexpr bool known = ((detail::Piece<Pieces>::is_layer || detail::is_option<Pieces>)&&...),
+  static constexpr bool known = (detail::Piece<Pieces>::is_known && ...),
                         has_layers = (detail::Piece<Pieces>::is_layer || ...),
-                        unique = (ShearPolicy<Pieces> + ... + 0) <= 1 && (std::same_as<Pieces, Offset> + ... + 0) <= 1;
+                        unique = (detail::Piece<Pieces>::is_shear + ... + 0) <= 1 &&
+                                 (detail::Piece<Pieces>::is_offset + ... + 0) <= 1;
   static_assert(known,
                 "strike: a Layered is made of Layer{material, thickness}, bottom first, or Plies{layer, count}; then "
                 "an Offset{height} and one of EnergyShear, EffectiveShear, FiveSixthsShear and InstantaneousShear.");
