@@ -11,6 +11,7 @@
 #include <strike/material/layered.hpp>
 #include <strike/material/material.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/material/point_values.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>

@@ -1,12 +1,12 @@
 // expect: the material of a Layer needs normal_rate(state, rate, dt, change)
 #include <strike/strike.hpp>
 
-#include "../support/plane_elastic.hpp"
-
 using namespace strike;
 
-struct Membrane : testing::PlaneElastic {
+constexpr Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+
+struct Membrane : PlaneStress<Elastic> {
   void normal_rate() = delete;
 };
 
-int main() { const Layered section{Layer{Membrane{{200e9, 0.3}}, 3.0}}; }
+int main() { const Layered section{Layer{Membrane{{steel}}, 3.0}}; }

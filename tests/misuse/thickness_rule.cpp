@@ -1,8 +1,8 @@
 // expect: Simpson's rule comes with 3, 5, 7 or 9 points
 #include <strike/strike.hpp>
 
-#include "../support/plane_elastic.hpp"
-
 using namespace strike;
 
-int main() { const Homogeneous section{testing::PlaneElastic{200e9, 0.3}, 3.0, Simpson<4>{}}; }
+constexpr Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+
+int main() { const Homogeneous section{PlaneStress{steel}, 3.0, Simpson<4>{}}; }

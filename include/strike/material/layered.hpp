@@ -22,6 +22,13 @@ template <ThicknessRule R>
 inline constexpr std::size_t point_count<R> = R::points.size();
 
 template <class M>
+constexpr bool is_plane_material() {
+  if constexpr (is_reported<M>())
+    return false;
+  else
+    return PlaneMaterial<M>;
+}
+template <class M>
 concept KnowsNormalRate = requires(const M m, const typename M::template State<double> state,
                                    typename M::Kinematics::template Rate<double> rate,
                                    typename M::Kinematics::template Stress<double> change) {
@@ -30,6 +37,19 @@ concept KnowsNormalRate = requires(const M m, const typename M::template State<d
 template <class M>
 concept Begins = requires(const M m, typename M::template State<double> state) {
   m.begin(state);
+};
+template <class P>
+concept TellsOfShear = requires(const P policy, const TransverseShear<double> shear) {
+  policy.notice(shear, 1.0);
+};
+template <class P>
+concept RecoversFlow = requires(const P policy, const TransverseShear<double> shear, const ShearLayer<double> layer,
+                                const ShearFlow<double> flow) {
+  policy.flow(shear, layer, flow);
+};
+template <class M>
+concept Tells = requires(const M m) {
+  m.notice();
 };
 template <class M>
 concept CanFail = requires(const M m, const typename M::template State<double> state) {
@@ -40,12 +60,13 @@ concept CanFail = requires(const M m, const typename M::template State<double> s
 /// A layer of a plate: a plane material, its thickness, and the rule by which its stress is summed over that.
 template <class M, class R = Simpson<5>>
 struct Layer {
-  static constexpr bool sound_material = PlaneMaterial<M>, sound_rule = ThicknessRule<R>,
-                        sound = sound_material && sound_rule && detail::KnowsNormalRate<M>;
-  static_assert(sound_material,
+  static constexpr bool sound_material = detail::is_plane_material<M>(), sound_rule = ThicknessRule<R>,
+                        sound_normal_rate = sound_material && detail::KnowsNormalRate<M>,
+                        sound = sound_rule && sound_normal_rate;
+  static_assert(sound_material || detail::is_reported<M>(),
                 "strike: the material of a Layer answers in plane stress: wrap a solid in PlaneStress{...} or "
                 "ZeroNormalStress{...}.");
-  static_assert(!sound_material || detail::KnowsNormalRate<M>,
+  static_assert(!sound_material || sound_normal_rate,
                 "strike: the material of a Layer needs normal_rate(state, rate, dt, change), the d_zz of a step that "
                 "changed its stress so; see strike/material/material.hpp.");
   static_assert(sound_rule || !sound_material,
@@ -101,8 +122,6 @@ const A& get(const Slot<i, A>& slot) {
   return slot.value;
 }
 
-struct Nothing {};
-
 /// What a section computes of each layer beforehand.
 template <std::size_t n>
 struct LayerNumbers {
@@ -113,12 +132,12 @@ struct LayerNumbers {
 };
 
 template <class Shear, class T>
-struct ShearLayerState : Nothing {};
+struct ShearLayerState {};
 template <class Shear, class T>
 requires requires { typename Shear::template LayerState<T>; }
 struct ShearLayerState<Shear, T> : Shear::template LayerState<T> {};
 template <class Shear, class T>
-struct ShearState : Nothing {};
+struct ShearState {};
 template <class Shear, class T>
 requires requires { typename Shear::template State<T>; }
 struct ShearState<Shear, T> : Shear::template State<T> {};
@@ -132,14 +151,17 @@ struct LayerState : ShearLayerState<Shear, T> {
 /// A piece of a section is a layer, some plies, or an option without layers.
 template <class P>
 struct Piece {
-  static constexpr bool is_layer = false, is_sound = true, begins = false, can_fail = false;
-  using Numbers = Nothing;
+  static constexpr bool is_shear = ShearPolicy<P>, is_offset = std::same_as<P, Offset>;
+  static constexpr bool is_layer = false, is_plies = false, is_known = is_shear || is_offset, is_sound = true;
+  static constexpr bool begins = false, can_fail = false;
+  struct Numbers {};
   template <class Shear, class T>
-  using State = Nothing;
+  struct State {};
 };
 template <class M, class R>
 struct Piece<Layer<M, R>> {
-  static constexpr bool is_layer = true, is_sound = Layer<M, R>::sound;
+  static constexpr bool is_shear = false, is_offset = false;
+  static constexpr bool is_layer = true, is_plies = false, is_known = true, is_sound = Layer<M, R>::sound;
   static constexpr bool begins = Begins<M>, can_fail = CanFail<M>;
   using Numbers = std::array<LayerNumbers<point_count<R>>, 1>;
   template <class Shear, class T>
@@ -149,7 +171,7 @@ struct Piece<Layer<M, R>> {
 };
 template <class M, class R>
 struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
-  static constexpr bool begins = true;
+  static constexpr bool is_plies = true, begins = true;
   using Numbers = std::vector<LayerNumbers<point_count<R>>>;
   template <class Shear, class T>
   using State = std::vector<LayerState<Shear, Layer<M, R>, T>>;
@@ -157,13 +179,10 @@ struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
   static std::size_t count(const Plies<Layer<M, R>>& plies) { return plies.count; }
 };
 
-template <class P>
-inline constexpr bool is_option = ShearPolicy<P> || std::same_as<P, Offset>;
-
 constexpr EnergyShear shear_of() { return {}; }
 template <class P, class... Rest>
 constexpr auto shear_of(const P& piece, const Rest&... rest) {
-  if constexpr (ShearPolicy<P>)
+  if constexpr (Piece<P>::is_shear)
     return piece;
   else
     return shear_of(rest...);
@@ -171,7 +190,7 @@ constexpr auto shear_of(const P& piece, const Rest&... rest) {
 constexpr double offset_of() { return 0; }
 template <class P, class... Rest>
 constexpr double offset_of(const P& piece, const Rest&... rest) {
-  if constexpr (std::same_as<P, Offset>)
+  if constexpr (Piece<P>::is_offset)
     return piece.height;
   else
     return offset_of(rest...);
@@ -188,10 +207,10 @@ constexpr double offset_of(const P& piece, const Rest&... rest) {
 /// Errors: a thickness below zero, or none.
 template <class... Pieces>
 class Layered {
-  static constexpr bool known = ((detail::Piece<Pieces>::is_layer || detail::is_option<Pieces>)&&...),
+  static constexpr bool known = (detail::Piece<Pieces>::is_known && ...),
                         has_layers = (detail::Piece<Pieces>::is_layer || ...),
-                        unique = (ShearPolicy<Pieces> + ... + 0) <= 1 && (std::same_as<Pieces, Offset> + ... + 0) <= 1,
-                        sound = known && has_layers && unique && (detail::Piece<Pieces>::is_sound && ...);
+                        unique = (detail::Piece<Pieces>::is_shear + ... + 0) <= 1 &&
+                                 (detail::Piece<Pieces>::is_offset + ... + 0) <= 1;
   static_assert(known,
                 "strike: a Layered is made of Layer{material, thickness}, bottom first, or Plies{layer, count}; then "
                 "an Offset{height} and one of EnergyShear, EffectiveShear, FiveSixthsShear and InstantaneousShear.");
@@ -203,19 +222,22 @@ class Layered {
   static constexpr bool begins = instantaneous || (detail::Piece<Pieces>::begins || ...);
   static constexpr bool can_fail = (detail::Piece<Pieces>::can_fail || ...);
 
+  static constexpr std::array<bool, sizeof...(Pieces)> is_layer{detail::Piece<Pieces>::is_layer...},
+      is_plies{detail::Piece<Pieces>::is_plies...};
   /// f(i) for the places i of the pieces that have layers.
   template <class F>
   static void each_piece(F f) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      const auto visit = [&]<class P>(auto place, std::type_identity<P>) {
-        if constexpr (detail::Piece<P>::is_layer) f(place);
+      const auto visit = [&](auto place) {
+        if constexpr (is_layer[place]) f(place);
       };
-      (visit(std::integral_constant<std::size_t, i>{}, std::type_identity<Pieces>{}), ...);
+      (visit(std::integral_constant<std::size_t, i>{}), ...);
     }
     (std::index_sequence_for<Pieces...>{});
   }
 
  public:
+  static constexpr bool sound = known && has_layers && unique && (detail::Piece<Pieces>::is_sound && ...);
   using Kinematics = PlateKinematics;
 
   /// Per layer what its points remember, the shear force, and what the shear policy needs.
@@ -269,9 +291,10 @@ class Layered {
       if (!notice.empty() && all.find(notice) == std::string::npos) all += (all.empty() ? "" : " ") + notice;
     };
     each_piece([&](auto i) {
-      if constexpr (requires { layer<i>().material.notice(); }) tell(layer<i>().material.notice());
+      const auto& material = layer<i>().material;
+      if constexpr (detail::Tells<std::remove_cvref_t<decltype(material)>>) tell(material.notice());
     });
-    if constexpr (requires { shear_.notice(elastic_shear_, length); }) tell(shear_.notice(elastic_shear_, length));
+    if constexpr (detail::TellsOfShear<Shear>) tell(shear_.notice(elastic_shear_, length));
     return all;
   }
 
@@ -281,10 +304,11 @@ class Layered {
     state = {};
     each_piece([&](auto i) {
       auto& layers = detail::get<i>(state.pieces);
-      if constexpr (requires { layers.resize(1); }) layers.resize(detail::get<i>(numbers_).size());
-      for (auto& own : layers)
-        for (auto& point : own.points)
-          if constexpr (requires { layer<i>().material.begin(point); }) layer<i>().material.begin(point);
+      if constexpr (is_plies[i]) layers.resize(detail::get<i>(numbers_).size());
+      const auto& material = layer<i>().material;
+      if constexpr (detail::Begins<std::remove_cvref_t<decltype(material)>>)
+        for (auto& own : layers)
+          for (auto& point : own.points) material.begin(point);
     });
     if constexpr (instantaneous) state.shear_stiffness = T(shear_stiffness_);
   }
@@ -355,7 +379,7 @@ class Layered {
   const {
     T intact = T(0.0);
     each_layer(state, [&](const auto& material, const auto&, const auto& own) {
-      if constexpr (requires { material.intact(own.points[0]); })
+      if constexpr (detail::CanFail<std::remove_cvref_t<decltype(material)>>)
         for (const auto& point : own.points) intact = max(intact, T(material.intact(point)));
       else
         intact = T(1.0);
@@ -364,7 +388,8 @@ class Layered {
   }
 
   /// The transverse shear stress (tau_xz, tau_yz) in layer k at xi of its thickness, from 0 at its bottom to 1 at its
-  /// top: so between layers k and k + 1 it is that of (k, 1). Elastic layers are assumed.
+  /// top: so between layers k and k + 1 it is that of (k, 1). By the flow of elastic layers, over the length of an
+  /// EffectiveShear.
   template <class T>
   Vector2<T> shear_stress(const State<T>& state, std::size_t k, double xi) const {
     Vector2<T> tau = Vector2<T>::Zero();
@@ -420,7 +445,7 @@ class Layered {
     each_piece([&](auto i) {
       const auto& piece = detail::get<i>(pieces_);
       const std::size_t count = detail::Piece<std::remove_cvref_t<decltype(piece)>>::count(piece);
-      if constexpr (requires { detail::get<i>(numbers_).resize(1); }) detail::get<i>(numbers_).resize(count);
+      if constexpr (is_plies[i]) detail::get<i>(numbers_).resize(count);
       const double h = layer<i>().thickness;
       if (!(h >= 0))
         throw Error(detail::joined({"strike: layer ", std::to_string(layers_), " of a section has the thickness ",
@@ -458,7 +483,12 @@ class Layered {
     elastic_shear_ = strike::transverse_shear<double>(layers);
     shear_stiffness_ = shear_.stiffness(elastic_shear_);
     std::vector<ShearFlow<double>> flows;
-    each_shear_flow(elastic_shear_, layers, [&](const auto&, const ShearFlow<double>& flow) { flows.push_back(flow); });
+    each_shear_flow(elastic_shear_, layers, [&](const ShearLayer<double>& layer, const ShearFlow<double>& flow) {
+      if constexpr (detail::RecoversFlow<Shear>)
+        flows.push_back(shear_.flow(elastic_shear_, layer, flow));
+      else
+        flows.push_back(flow);
+    });
     std::size_t k = 0;
     each_piece([&](auto i) {
       for (auto& numbers : detail::get<i>(numbers_)) numbers.flow = flows[k++];
@@ -482,7 +512,7 @@ class Layered {
 };
 
 /// The section of one layer: Homogeneous{material, thickness}, then a rule, a shear policy, an Offset.
-template <class M, class R = Simpson<5>, class... Options>
+template <class M, ThicknessRule R = Simpson<5>, class... Options>
 struct Homogeneous : Layered<Layer<M, R>, Options...> {
   Homogeneous(const M& material, double thickness, const R& rule, const Options&... options)
       : Layered<Layer<M, R>, Options...>(Layer<M, R>{material, thickness, rule}, options...) {}

@@ -30,18 +30,18 @@ constexpr Legendre legendre(std::size_t n, long double x) {
   return P;
 }
 
-/// The one root of f between each two neighbours, by bisection.
+/// The one root between each two neighbours of an f that is even or odd, by bisection below 0 and mirrored above.
 template <std::size_t n, class F>
 constexpr std::array<long double, n> roots_between(const std::array<long double, n + 1>& neighbours, F f) {
   std::array<long double, n> roots{};
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n / 2; ++i) {
     long double lower = neighbours[i], upper = neighbours[i + 1];
     const bool rises = f(upper) > 0;
     for (int bit = 0; bit < 66; ++bit) {
       const long double middle = (lower + upper) / 2;
       ((f(middle) > 0) == rises ? upper : lower) = middle;
     }
-    roots[i] = (lower + upper) / 2;
+    roots[i] = (lower + upper) / 2, roots[n - 1 - i] = -roots[i];
   }
   return roots;
 }

@@ -47,22 +47,35 @@ struct TransverseShear {
   T stiffness{};     ///< K, 1/K = int g^2/G dz [force/length]
   T own_bending{};   ///< Df, what is left of D* when the layers slide [force length]
   T layer_sum{};     ///< int G dz, which K never exceeds [force/length]
+  T thickness{};
+
+  /// s_k, the share that a layer with the flow g has in 1/K = int g^2/G dz.
+  T share_of_flexibility(const ShearLayer<T>& layer, const ShearFlow<T>& g) const {
+    return stiffness * flexibility(layer, g);
+  }
+  /// Its part of 1/K. No layer counts as softer than 1e-12 of the mean, so that K is never zero.
+  T flexibility(const ShearLayer<T>& layer, const ShearFlow<T>& g) const {
+    return layer.thickness * g.mean_square() / max(layer.moduli.shear, T(1e-12) * layer_sum / thickness);
+  }
 
   /// phi = Df/D0, D* = D0 + Df.
   T own_share() const { return own_bending / (bending - own_bending); }
 
-  /// The stiffness with which a plate without sliding layers deflects as this one does over a half wave of this length:
-  /// K + (1 + phi) p^2 Df, p = pi/length.
+  /// s = p^2 D0/Kc with p = pi/length and K = Kc (1 + phi)^2: how much the layers slide over a half wave of this
+  /// length.
+  T slip(double length) const {
+    const T c = 1.0 + own_share();
+    return square(std::numbers::pi / length) * (bending - own_bending) * (c * c / stiffness);
+  }
+  /// By how much K deflects too far over a half wave of this length: phi s^2/((1 + phi)^2 (1 + s)).
+  T error(double length) const {
+    const T phi = own_share(), s = slip(length), c = s / (1.0 + phi);
+    return phi * c * c / (1.0 + s);
+  }
+  /// The stiffness with which a plate whose layers do not slide deflects as this one does over a half wave of this
+  /// length: K + (1 + phi) p^2 Df.
   T effective_stiffness(double length) const {
     return stiffness + (1.0 + own_share()) * square(std::numbers::pi / length) * own_bending;
-  }
-
-  /// By how much K deflects too far over a half wave of this length: phi s^2/((1 + phi)^2 (1 + s)), s = p^2 D0/Kc,
-  /// K = Kc (1 + phi)^2.
-  T error(double length) const {
-    const T phi = own_share(), c = (1.0 + phi) * (1.0 + phi);
-    const T s = square(std::numbers::pi / length) * (bending - own_bending) * c / stiffness;
-    return phi * s * s / (c * (1.0 + s));
   }
 
  private:
@@ -85,7 +98,7 @@ void each_shear_flow(const TransverseShear<T>& shear, const Layers& each_layer, 
 }
 
 /// D*, K and their like; `each_layer(f)` calls f(ShearLayer) for every layer, bottom to top. A layer without thickness
-/// counts for nothing, one without shear stiffness as if it had 1e-12 of the stiffest's, so that K is never zero.
+/// counts for nothing.
 ///
 /// Df = sum (1 - s_k) Q_k h_k^3/12, s_k the share that layer k has in 1/K: a layer that does the sliding keeps no
 /// normal of its own. Of one layer Df is nothing; for two faces and a soft core it is the faces' own bending, as in
@@ -93,15 +106,14 @@ void each_shear_flow(const TransverseShear<T>& shear, const Layers& each_layer, 
 template <class T, class Layers>
 TransverseShear<T> transverse_shear(const Layers& each_layer) {
   TransverseShear<T> shear;
-  T A = T(0.0), B = T(0.0), z = T(0.0), stiffest = T(0.0);
+  T A = T(0.0), B = T(0.0), z = T(0.0);
   each_layer([&](const ShearLayer<T>& layer) {
     const T& h = layer.thickness;
     const T Qh = layer.moduli.normal * h;
     A += Qh, B += Qh * (z + 0.5 * h), z += h;
     shear.layer_sum += layer.moduli.shear * h;
-    stiffest = max(stiffest, layer.moduli.shear);
   });
-  shear.neutral_axis = B / A;
+  shear.thickness = z, shear.neutral_axis = B / A;
 
   z = -shear.neutral_axis;
   each_layer([&](const ShearLayer<T>& layer) {
@@ -114,7 +126,7 @@ TransverseShear<T> transverse_shear(const Layers& each_layer) {
   T H = T(0.0), own = T(0.0), slid = T(0.0);
   each_shear_flow(shear, each_layer, [&](const ShearLayer<T>& layer, const ShearFlow<T>& g) {
     const T& h = layer.thickness;
-    const T H_k = h * g.mean_square() / max(layer.moduli.shear, T(1e-12) * stiffest);
+    const T H_k = shear.flexibility(layer, g);
     const T D_k = (1.0 / 12.0) * (layer.moduli.normal * h * h * h);
     H += H_k, own += D_k, slid += H_k * D_k;
   });
@@ -165,6 +177,15 @@ struct EffectiveShear {
   double length;  ///< pi/p
 
   double stiffness(const TransverseShear<double>& shear) const { return shear.effective_stiffness(length); }
+  /// Where layers slide, the shear force that couples them, V D0/D* with K alone, is (1 + phi)/(1 + phi (1 + s)) of
+  /// that, and the forces that bend each by itself make up for it.
+  ShearFlow<double> flow(const TransverseShear<double>& shear, const ShearLayer<double>& layer,
+                         const ShearFlow<double>& g) const {
+    const double phi = shear.own_share(), s = shear.slip(length);
+    const double coupling = (1 + phi) / (1 + phi * (1 + s)), own = (1 + s) * coupling;
+    const double slides = shear.share_of_flexibility(layer, g);
+    return {coupling * g.bottom, coupling * g.top, (slides * coupling + (1 - slides) * own) * g.bulge};
+  }
 };
 
 /// 5/6 of the sum of G h, which is right for one layer alone.

@@ -1,0 +1,201 @@
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include <strike/error.hpp>
+#include <strike/material/transverse_shear.hpp>
+#include <strike/text.hpp>
+
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace strike {
+
+/// A layer of an isotropic, linear-elastic solid.
+struct ElasticLayer {
+  double thickness;
+  double youngs_modulus;
+  double poissons_ratio;  ///< < 1/2
+  double density = 0;     ///< for frequencies
+
+  double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }
+  /// E/(1 - nu^2).
+  double plane_modulus() const { return youngs_modulus / (1 - poissons_ratio * poissons_ratio); }
+};
+
+/// What a half wave sin px sets in motion at a height of a stack: u = U cos px, w = W sin px, sigma_z = S sin px,
+/// tau_xz = T cos px, sigma_x = X sin px.
+struct LaminateWave {
+  double z;  ///< over the bottom
+  std::size_t layer;
+  double U, W, S, T, X;
+};
+
+/// Layers bonded to each other, bottom to top, by three-dimensional elasticity without any assumption (the state-vector
+/// method; Bahar 1975): with it a user sees what a section leaves out. The edges are simply supported and the bottom is
+/// free. A plate of isotropic layers answers to sin(m pi x/a) sin(n pi y/b) as a strip does to sin px with
+/// p^2 = (m pi/a)^2 + (n pi/b)^2, so that one number p serves strips and plates.
+class Laminate {
+ public:
+  /// Errors: a layer without thickness or stiffness.
+  explicit Laminate(std::vector<ElasticLayer> layers) : layers_(std::move(layers)) {
+    for (std::size_t k = 0; k < layers_.size(); ++k)
+      if (const auto& [h, E, nu, rho] = layers_[k]; !(h > 0 && E > 0 && nu > -1 && nu < 0.5 && rho >= 0))
+        throw Error(detail::joined({"strike: layer ", std::to_string(k), " of a Laminate has the thickness ",
+                                    detail::text(h), ", Young's modulus ", detail::text(E), " and Poisson's ratio ",
+                                    detail::text(nu), ": give values above 0, and a ratio below 1/2."}));
+    if (layers_.empty()) throw Error("strike: a Laminate has no layer: give at least one.");
+  }
+
+  const std::vector<ElasticLayer>& layers() const { return layers_; }
+  double thickness() const {
+    return sum([](const ElasticLayer& layer) { return layer.thickness; });
+  }
+  /// Mass per area.
+  double density() const {
+    return sum([](const ElasticLayer& layer) { return layer.density * layer.thickness; });
+  }
+  /// What the theory of plates makes of the same layers.
+  TransverseShear<double> transverse_shear() const {
+    std::vector<ShearLayer<double>> all;
+    for (const ElasticLayer& layer : layers_)
+      all.push_back({layer.thickness, {layer.plane_modulus(), layer.shear_modulus()}});
+    return strike::transverse_shear(all);
+  }
+
+  /// At the height z over the bottom, under sigma_z = sin px on the top.
+  LaminateWave at(double p, double z) const {
+    Vector4 state = at_bottom(p);
+    std::size_t k = 0;
+    double bottom = 0;
+    for (; k + 1 < layers_.size() && z > bottom + layers_[k].thickness; bottom += layers_[k++].thickness)
+      state = transfer(layers_[k], layers_[k].thickness, p, 0) * state;
+    return wave(k, z, p, transfer(layers_[k], z - bottom, p, 0) * state);
+  }
+  /// The same in `count` equal steps through each layer, at both faces of each.
+  std::vector<LaminateWave> profile(double p, std::size_t count = 20) const {
+    std::vector<LaminateWave> waves;
+    Vector4 state = at_bottom(p);
+    double bottom = 0;
+    for (std::size_t k = 0; k < layers_.size(); bottom += layers_[k++].thickness) {
+      const double dz = layers_[k].thickness / static_cast<double>(count);
+      const Matrix4 step = transfer(layers_[k], dz, p, 0);
+      waves.push_back(wave(k, bottom, p, state));
+      for (std::size_t i = 1; i <= count; ++i)
+        waves.push_back(wave(k, bottom + static_cast<double>(i) * dz, p, state = step * state));
+    }
+    return waves;
+  }
+  /// The deflection of the middle surface.
+  double deflection(double p) const { return at(p, 0.5 * thickness()).W; }
+
+  /// The lowest natural frequency of a half wave [rad/time], which bends: det [S; T](U, W) = 0 on the free top.
+  double angular_frequency(double p) const {
+    const TransverseShear<double> plate = transverse_shear();
+    double lower = 0, upper = 1.1 * p * p * p * p * plate.bending / density();  // Kirchhoff's is above
+    const auto at_free_top = [&](double omega2) { return determinant(traction(p, omega2)); };
+    const bool positive = at_free_top(0) > 0;
+    for (int bit = 0; bit < 60; ++bit) {
+      const double middle = (lower + upper) / 2;
+      ((at_free_top(middle) > 0) == positive ? lower : upper) = middle;
+    }
+    return std::sqrt((lower + upper) / 2);
+  }
+
+ private:
+  using Vector4 = Eigen::Vector4d;
+  using Matrix4 = Eigen::Matrix4d;
+
+  template <class F>
+  double sum(F f) const {
+    double s = 0;
+    for (const ElasticLayer& layer : layers_) s += f(layer);
+    return s;
+  }
+
+  /// What h of a layer makes of (U, W, S, T). With C11 = lambda + 2 G, C13 = lambda, and S and T in units of p C11
+  ///   U' = C11/G T - W,    W' = S + C13/C11 U,    S' = T - Omega W,    T' = (1 - (C13/C11)^2 - Omega) U - C13/C11 S
+  /// by p z, with Omega = rho omega^2/(p^2 C11): numbers near 1, however soft the layer is.
+  static Matrix4 transfer(const ElasticLayer& layer, double h, double p, double omega2) {
+    const double G = layer.shear_modulus(), ratio = layer.poissons_ratio / (1 - layer.poissons_ratio);
+    const double C11 = 2 * G / (1 - ratio), Omega = layer.density * omega2 / (p * p * C11);
+    Matrix4 A;
+    A << 0, -1, 0, C11 / G,  //
+        ratio, 0, 1, 0,      //
+        0, -Omega, 0, 1,     //
+        1 - ratio * ratio - Omega, 0, -ratio, 0;
+    const Matrix4 E = exponential(p * h * A);
+    const Vector4 unit(1, 1, p * C11, p * C11);
+    return unit.asDiagonal() * E * unit.cwiseInverse().asDiagonal();
+  }
+
+  /// exp A = (exp A/2^n)^(2^n), by its series to 1e-17 where |A|/2^n < 1/2.
+  static Matrix4 exponential(Matrix4 A) {
+    int n = 0;
+    for (; A.norm() > 0.5; ++n) A *= 0.5;
+    Matrix4 E = Matrix4::Identity(), term = E;
+    for (int k = 1; k <= 14; ++k) term = term * A / k, E += term;
+    for (; n > 0; --n) E = E * E;
+    return E;
+  }
+
+  /// (S, T) on top by (U, W) at the bottom.
+  Eigen::Matrix2d traction(double p, double omega2) const {
+    Matrix4 M = Matrix4::Identity();
+    for (const ElasticLayer& layer : layers_) M = transfer(layer, layer.thickness, p, omega2) * M;
+    return M.bottomLeftCorner<2, 2>();
+  }
+
+  static double determinant(const Eigen::Matrix2d& M) { return M(0, 0) * M(1, 1) - M(0, 1) * M(1, 0); }
+
+  LaminateWave wave(std::size_t k, double z, double p, const Vector4& state) const {
+    const double ratio = layers_[k].poissons_ratio / (1 - layers_[k].poissons_ratio);
+    const double X = ratio * state(2) - layers_[k].plane_modulus() * p * state(0);
+    return {z, k, state(0), state(1), state(2), state(3), X};
+  }
+
+  Vector4 at_bottom(double p) const {
+    const Eigen::Matrix2d M = traction(p, 0);
+    return Vector4(M(1, 1), -M(1, 0), 0, 0) / determinant(M);
+  }
+
+  std::vector<ElasticLayer> layers_;
+};
+
+/// A plate with shear deformation (Mindlin 1951), to compare with; with K infinite Kirchhoff's.
+struct MindlinPlate {
+  double bending;          ///< D [force length]
+  double shear_stiffness;  ///< K [force/length]
+  double density = 0, rotary_inertia = 0;
+
+  /// Under sin px.
+  double deflection(double p) const { return 1 / (p * p * p * p * bending) + 1 / (p * p * shear_stiffness); }
+  /// The lower root of (K p^2 - m omega^2) (K + D p^2 - I omega^2) = K^2 p^2.
+  double angular_frequency(double p) const {
+    const double K = shear_stiffness, B = K + bending * p * p;
+    const double a = density * rotary_inertia, b = density * B + rotary_inertia * K * p * p,
+                 c = K * p * p * bending * p * p;
+    return std::sqrt(2 * c / (b + std::sqrt(b * b - 4 * a * c)));
+  }
+};
+
+/// The deflection in the middle of a rectangle a x b, simply supported, under the uniform pressure 1, from that under
+/// sin px, w(p): Navier's series.
+template <class W>
+double rectangle_deflection(double a, double b, W w, int terms = 40) {
+  constexpr double pi = std::numbers::pi;
+  double sum = 0;
+  for (int i = 0; i < terms; ++i)
+    for (int j = 0; j < terms; ++j) {
+      const int m = 2 * i + 1, n = 2 * j + 1;
+      sum += ((i + j) % 2 == 0 ? 1 : -1) * 16 / (pi * pi * m * n) * w(std::hypot(m * pi / a, n * pi / b));
+    }
+  return sum;
+}
+
+}  // namespace strike
