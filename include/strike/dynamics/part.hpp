@@ -159,7 +159,9 @@ class RunningPart {
 
   /// What the user should know of the material, if anything: one sentence.
   std::string notice() const {
-    if constexpr (requires { material_.notice(); })
+    if constexpr (requires { material_.notice(0.0); })  // of a section: over half waves of four elements
+      return material_.notice(4 * std::sqrt(mass_ / material_.density() / static_cast<double>(size_)));
+    else if constexpr (requires { material_.notice(); })
       return material_.notice();
     else
       return {};

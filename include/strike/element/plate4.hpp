@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -42,6 +43,11 @@ struct ThicknessChange {
   }
 };
 
+template <class P>
+concept PlateThickness = requires(const P thickness, const typename P::template State<double> state) {
+  { thickness.relative(state) } -> std::convertible_to<double>;
+};
+
 /// The four-node Mindlin plate of Belytschko, Lin and Tsay (1984) with one point in its plane and three rotations at a
 /// node, written in its own modes. Strain is measured in the middle of the step, so that a rotation strains nothing;
 /// the stresses live in the plate's frame, which does not depend on the numbering. Its material is a section. Policies:
@@ -50,6 +56,20 @@ struct ThicknessChange {
 template <class Hourglass = PlateHourglass, class Warping = BelytschkoWongChiang, class Thickness = ConstantThickness,
           class Drilling = DrillingStiffness>
 struct Plate4 {
+  static constexpr bool has_hourglass = PlateHourglassControl<Hourglass>, has_warping = PlateWarping<Warping>,
+                        has_thickness = PlateThickness<Thickness>, has_drilling = PlateDrilling<Drilling>,
+                        sound = has_hourglass && has_warping && has_thickness && has_drilling;
+  static_assert(has_hourglass,
+                "strike: the first policy of Plate4 is its hourglass control: PlateHourglass or NoPlateHourglass.");
+  static_assert(!has_hourglass || has_warping,
+                "strike: the second policy of Plate4 is what it makes of a warp: BelytschkoWongChiang, NoWarping or "
+                "RigidOffset.");
+  static_assert(!has_hourglass || !has_warping || has_thickness,
+                "strike: the third policy of Plate4 is its thickness: ConstantThickness or ThicknessChange.");
+  static_assert(!has_hourglass || !has_warping || !has_thickness || has_drilling,
+                "strike: the fourth policy of Plate4 is what resists the drilling of its nodes: DrillingStiffness or "
+                "FreeDrilling.");
+
   [[no_unique_address]] Hourglass hourglass{};
   [[no_unique_address]] Warping warping{};
   [[no_unique_address]] Thickness thickness{};

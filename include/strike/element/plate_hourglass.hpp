@@ -1,4 +1,7 @@
 #pragma once
+#include <concepts>
+
+#include <strike/material/kinematics.hpp>
 #include <strike/tensor/plane.hpp>
 
 namespace strike {
@@ -47,6 +50,13 @@ struct PlateHourglass {
 struct NoPlateHourglass {
   template <class T>
   struct State {};
+};
+
+/// A stiffness against the hourglass modes of a plate, or none.
+template <class H>
+concept PlateHourglassControl = std::same_as<H, NoPlateHourglass> ||
+    requires(const H control, const PlateHourglassElement<double, PlateKinematics::Moduli<double>> e) {
+  { control.stiffness(e) } -> std::same_as<PlateHourglassStiffness<double>>;
 };
 
 }  // namespace strike

@@ -1,4 +1,6 @@
 #pragma once
+#include <concepts>
+
 #include <strike/element/plate4_modes.hpp>
 
 namespace strike {
@@ -114,6 +116,12 @@ struct BelytschkoWongChiang {
   }
 };
 
+template <class W>
+concept PlateWarping = requires(const W warping, const Plate4Frame<double> frame, Plate4Modes<double> modes) {
+  W::drills;
+  warping.rates(frame, 0.0, Plate4Drilling<double>{}, modes, modes);
+};
+
 // What resists the drilling.
 
 /// Nothing: nodes turn about their normals as supports and neighbours askew leave them moments there, which no strain
@@ -137,6 +145,11 @@ struct DrillingStiffness {
   T stiffness(const T& in_plane_shear, const T& area) const {
     return coefficient * in_plane_shear * area;
   }
+};
+
+template <class D>
+concept PlateDrilling = std::same_as<D, FreeDrilling> || requires(const D drilling) {
+  { drilling.stiffness(1.0, 1.0) } -> std::convertible_to<double>;
 };
 
 }  // namespace strike
