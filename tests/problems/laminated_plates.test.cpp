@@ -144,3 +144,16 @@ TEST_CASE("square laminated plates sink under pressure as plates with their shea
       Elastic{.reference_density = 1200e-12, .youngs_modulus = 2400, .poissons_ratio = 0.38}};
   CHECK(square_plate(Homogeneous{polycarbonate, 12.7}) == Approx(69.4419).epsilon(0.01));
 }
+
+TEST_CASE("a run tells where layers slide over four elements") {
+  const auto notices = [](double softness) {
+    const Strip strip(testing::glass);
+    return Explicit{
+        Scene{strip.mesh.nodes, Part{Plate4{}, testing::glass.section(softness), strip.mesh.quadrilaterals}}}
+        .notices();
+  };
+  CHECK(notices(1).empty());
+  const auto told = notices(1e4);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].find("slide") != std::string::npos);
+}
