@@ -38,6 +38,7 @@ struct ThicknessChange {
   }
   template <class T>
   void advance(State<T>& state, const T& normal_rate, double dt) const {
+    if (!(dt > 0)) return;  // there is no rate
     const T half = (0.5 * dt) * normal_rate;
     state.relative *= (1.0 + half) / (1.0 - half);
   }
@@ -288,7 +289,8 @@ struct Plate4 {
   /// where both together take the larger eigenvalue of [extension/m, coupling/sqrt(m I); ., bending/I], in which the
   /// warp may give rotations a lever on the membrane; those of the transverse shear, which moves other modes, by
   ///   w^2 <= A K (L1(S)/m + 1/(4 I)).
-  /// Control adds 4 k/m in h and what its vectors gamma = h - p_i Lambda_i share with the others.
+  /// Control adds 4 k/m in h and what its vectors share with the others: gamma = h - p_i Lambda_i, and of the membrane,
+  /// where a warp gives the mean rotation a lever on them, z/4 sqrt(m/I) of that.
   template <class Section, class T>
   T critical_rate(const Section& material, const State<Section, T>& state, const PlateKinematics::Moduli<T>& moduli,
                   const PlateHourglassStiffness<T>& control, const T& drilling_stiffness, const PlaneTensor<T>& S,
@@ -308,9 +310,8 @@ struct Plate4 {
     const T across = moduli.transverse_shear * (L1 + 0.25 * per_gyration);
     const T w2 = (A * per_mass) * (warping.stiffening(z, per_gyration, S) * max(strain, across));
 
-    const T shared = p(0) * p(0) + p(1) * p(1);
-    const T c = (4.0 * per_mass) * max(max(control.membrane * (1.0 + 0.0625 * z * z * per_gyration), control.shear),
-                                       control.bending * per_gyration);
+    const T shared = p(0) * p(0) + p(1) * p(1) + 0.0625 * z * z * per_gyration;
+    const T c = (4.0 * per_mass) * max(max(control.membrane, control.shear), control.bending * per_gyration);
     const T d = drilling_stiffness * per_mass * (per_gyration + 2.0 * L1);
     return 0.5 * sqrt(largest_eigenvalue(PlaneTensor<T>{w2 + c * shared, c, c * sqrt(shared)}) + d);
   }

@@ -131,6 +131,7 @@ struct LayerNumbers {
   ShearFlow<double> flow;
 };
 
+// Where there is nothing to remember, each of a type of its own: two of one type could not share an address.
 template <class Shear, class T>
 struct ShearLayerState {};
 template <class Shear, class T>

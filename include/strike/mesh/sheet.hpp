@@ -44,7 +44,7 @@ inline Mesh rectangle(const RectangleShape& shape) {
     throw Error(detail::joined({"A rectangle of size ", detail::text(width), " x ", detail::text(height),
                                 " has no area: give two positive edges in `.size`."}));
   return sheet(shape.cells, [&](double s, double t) {
-    return Eigen::Vector3d(shape.lower + Eigen::Vector3d(s * width, t * height, 0));
+    return Eigen::Vector3d(shape.lower + Eigen::Vector3d(s * shape.size[0], t * shape.size[1], 0));
   });
 }
 
@@ -65,7 +65,7 @@ inline Mesh panel(const PanelShape& shape) {
                                 detail::text(shape.length), " and arc ", detail::text(from), " to ", detail::text(to),
                                 " has no area: give positive ones, the arc ascending."}));
   return sheet(shape.cells, [&](double s, double t) {
-    const double angle = from + s * (to - from);
+    const double angle = shape.arc[0] + s * (shape.arc[1] - shape.arc[0]);
     return Eigen::Vector3d(shape.radius * std::sin(angle), t * shape.length, shape.radius * std::cos(angle));
   });
 }

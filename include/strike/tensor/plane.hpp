@@ -3,8 +3,9 @@
 
 namespace strike {
 
+/// Not aligned, so that a state that holds one has no gaps.
 template <class T>
-using Vector2 = Eigen::Matrix<T, 2, 1>;
+using Vector2 = Eigen::Matrix<T, 2, 1, Eigen::DontAlign>;
 
 /// Symmetric tensor of second order in a plane, by its three components.
 template <class T>

@@ -308,4 +308,7 @@ inline Nodal<double, 8> unit_cube() {
   return x;
 }
 
+/// Corners of the square [0, 1]^2 in the plane z = 0.
+inline Nodal<double, 4> unit_square() { return unit_cube().leftCols<4>(); }
+
 }  // namespace strike
