@@ -1,0 +1,337 @@
+#pragma once
+// The laws of elements of plates as one suite, those that they share with solids from conformance/element.hpp:
+//   TEST_CASE("conformance: my plate") { testing::conforms_as_plate(MyPlate{}); }
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <strike/element/plate4.hpp>
+#include <strike/material/layered.hpp>
+#include <strike/material/plane_stress.hpp>
+
+#include "conformance/element.hpp"
+
+namespace strike::testing {
+
+/// Distorted quadrilaterals, warped or plane.
+class Quadrilaterals : public Shapes<4> {
+ public:
+  explicit Quadrilaterals(unsigned seed, double distortion = 0.2)
+      : Shapes<4>(seed, unit_square(), distortion), distortion_(distortion) {}
+
+  /// In the plane z = 0.
+  Nodal<double, 4> flat() {
+    const Eigen::Vector3d stretch(std::exp(unit()), std::exp(unit()), 1);
+    const Nodal<double, 4> distorted = unit_square() + distortion_ * nodal();
+    Nodal<double, 4> x = stretch.asDiagonal() * distorted;
+    x.row(2).setZero();
+    return x;
+  }
+  Eigen::Matrix3d turn() { return Eigen::AngleAxisd(3 * unit(), vector().normalized()).toRotationMatrix(); }
+  /// In any plane.
+  Nodal<double, 4> plane() { return turn() * flat(); }
+
+ private:
+  double distortion_;
+};
+
+// Sections that show what a plate does.
+
+/// No resultants, but moduli; remembers what the element measured.
+struct PlateWitness {
+  using Kinematics = PlateKinematics;
+  template <class T>
+  struct State {
+    PlateKinematics::Rate<T> rate;
+  };
+
+  double density() const { return 1; }
+  double thickness() const { return 1; }
+  double rotary_inertia() const { return 1.0 / 12; }
+  template <class T>
+  PlateKinematics::Stress<T> stress(State<T>& state, const PlateKinematics::Rate<T>& rate, double) const {
+    state.rate = rate;
+    return {};
+  }
+  template <class T>
+  PlateKinematics::Stress<T> stress(const State<T>&) const {
+    return {};
+  }
+  template <class T>
+  PlateKinematics::Moduli<T> moduli(const State<T>&, const PlateKinematics::Rate<T>&) const {
+    return {{T(1.0), T(0.4)}, {T(0.0), T(0.0)}, {T(0.1), T(0.04)}, T(0.3)};
+  }
+};
+
+/// Plates of the metal of the solids, elastic, plastic or brittle.
+inline const Homogeneous elastic_plate{PlaneStress{Elastic{1, 1, 0.3}}, 0.2};
+inline const Homogeneous metal_plate{PlaneStress{metal}, 0.2};
+inline const Homogeneous brittle_plate{PlaneStress{brittle}, 0.2};
+
+/// Velocities and angular velocities that are linear in the positions X of a plane, and do not drill: v = L X + a,
+/// w = W X + b, but about the normal the spin of L.
+class LinearPlateMotion {
+ public:
+  LinearPlateMotion(Quadrilaterals& shapes, const Nodal<double, 4>& X)
+      : L_(shapes.matrix()),
+        W_(shapes.matrix()),
+        a_(shapes.vector()),
+        b_(shapes.vector()),
+        middle_(X.rowwise().mean()) {
+    const Plate4Modes<double> m = to_plate_modes<double>(X);
+    const Plate4Frame<double> frame(m.xi, m.eta);
+    e_ << frame.e1(), frame.e2(), frame.normal;
+    const Eigen::Vector3d e3 = e_.col(2);
+    const auto drilling = [&](const auto& w) { return (e3 * e3.transpose() * w).eval(); };
+    W_ -= drilling(W_);
+    b_ += e3 * axial_vector<double>(L_).dot(e3) - drilling(b_);
+  }
+
+  Nodal<double, 8> operator()(const Nodal<double, 4>& X) const {
+    Nodal<double, 8> v;
+    v << (L_ * X).colwise() + a_, (W_ * X).colwise() + b_;
+    return v;
+  }
+  /// A point z over the plane moves at v + w x z e3.
+  PlateKinematics::Rate<double> rate() const {
+    const auto in_plane = [&](const Eigen::Matrix3d& A) -> PlaneTensor<double> {
+      const Eigen::Matrix3d local = e_.transpose() * A * e_;
+      return {local(0, 0), local(1, 1), 0.5 * (local(0, 1) + local(1, 0))};
+    };
+    const Eigen::Vector3d e3 = e_.col(2), w = W_ * middle_ + b_;
+    Eigen::Matrix3d turn;  // turn w = w x e3
+    turn << 0, e3.z(), -e3.y(), -e3.z(), 0, e3.x(), e3.y(), -e3.x(), 0;
+    const Eigen::Vector3d shear = e_.transpose() * (L_.transpose() * e3 + w.cross(e3));
+    return {in_plane(L_), in_plane(turn * W_), {shear.x(), shear.y()}};
+  }
+  double size() const { return L_.norm() + W_.norm() + b_.norm(); }
+
+ private:
+  Eigen::Matrix3d L_, W_, e_;
+  Eigen::Vector3d a_, b_, middle_;
+};
+
+namespace detail {
+inline double norm(const PlaneTensor<double>& a) { return std::sqrt(double_dot(a, a)); }
+
+/// A history of random steps.
+struct RandomSteps {
+  Nodal<double, 4> X;
+  std::vector<Nodal<double, 8>> v;
+
+  explicit RandomSteps(Quadrilaterals& shapes) : X(shapes()) {
+    for (int i = 0; i < 5; ++i) v.push_back(shapes.nodal<8>());
+  }
+  /// The same with the corners named in another order.
+  template <class Order>
+  RandomSteps renumbered(const Order& order) const {
+    RandomSteps other = *this;
+    for (int i = 0; i < 4; ++i) {
+      other.X.col(i) = X.col(order[i]);
+      for (std::size_t k = 0; k < v.size(); ++k) {
+        other.v[k].col(i) = v[k].col(order[i]);
+        other.v[k].col(4 + i) = v[k].col(4 + order[i]);
+      }
+    }
+    return other;
+  }
+  template <class E, class M>
+  auto run(const E& element, const M& material) const {
+    SingleElement single{element, material, X};
+    for (const auto& v_k : v) single.step(v_k, 0.02);
+    return single.now();
+  }
+};
+}  // namespace detail
+
+/// On any plane quadrilateral membrane rate, curvature and transverse shear of linear fields are measured exactly, and
+/// the hourglass control ignores them.
+template <class E>
+void reproduces_linear_plate_motions(const E& element, Quadrilaterals shapes) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Nodal<double, 4> middle = shapes.plane();  // where the nodes are in the middle of the step
+    const LinearPlateMotion motion(shapes, middle);
+    const Nodal<double, 8> v = motion(middle);
+    const double dt = 0.01;
+    typename E::template State<PlateWitness, double> state;
+    element.begin(state, PlateWitness{}, middle);
+    const auto response =
+        element.advance(state, PlateWitness{}, Nodal<double, 4>(middle + 0.5 * dt * v.leftCols<4>()), v, dt);
+
+    const auto expected = motion.rate();
+    const double rounding = 1e-13 * motion.size() * (1 + detail::size(middle));
+    state.each_point([&](const auto& point) {
+      CHECK(detail::norm(point.rate.membrane - expected.membrane) <= rounding);
+      CHECK(detail::norm(point.rate.curvature - expected.curvature) <= rounding);
+      CHECK((point.rate.shear - expected.shear).norm() <= rounding);
+    });
+    const double wave_force = v.norm() * std::pow(detail::size(middle), 2);  // rho c v h^2
+    CHECK(response.force.norm() <= 1e-14 * wave_force);
+    CHECK(std::abs(response.hourglass_work) <= 1e-28 * wave_force * v.norm());
+  }
+}
+
+/// It does not matter with which corner the numbers begin; nor, for a section that is the same from above and below,
+/// whether they go round one way or the other.
+template <class E>
+void numbering_does_not_matter(const E& element, Quadrilaterals shapes) {
+  constexpr int orders[][4] = {{1, 2, 3, 0}, {2, 3, 0, 1}, {3, 0, 1, 2}, {0, 3, 2, 1}};
+  for (int trial = 0; trial < 5; ++trial) {
+    const detail::RandomSteps steps(shapes);
+    const auto expected = steps.run(element, metal_plate);
+    for (const auto& order : orders) {
+      const auto found = steps.renumbered(order).run(element, metal_plate);
+      const double rounding = 1e-13 * detail::size(expected.x);  // of forces of a strain of 1
+      for (int i = 0; i < 4; ++i) {
+        CHECK((found.force.col(i) - expected.force.col(order[i])).norm() <= rounding);
+        CHECK((found.force.col(4 + i) - expected.force.col(4 + order[i])).norm() <= rounding);
+      }
+      CHECK(found.volume == Approx(expected.volume).epsilon(1e-14));
+      CHECK(found.stable_step == Approx(expected.stable_step).epsilon(1e-13));
+      CHECK(found.internal == Approx(expected.internal).epsilon(1e-12));
+      CHECK(found.hourglass == Approx(expected.hourglass).epsilon(1e-12));
+    }
+  }
+}
+
+/// The step is never beyond the exact one of the free plate: 3990 quadrilaterals, plane and warped, of h/sqrt(A) from
+/// 1e-3 to 10, and sections of one layer, of stiff faces on a soft core, and of layers beside the surface of the nodes.
+template <class E>
+void plate_step_is_safe(const E& element, Quadrilaterals shapes) {
+  double least = 10, largest = 0;
+  const auto ask = [&](const auto& section, const Nodal<double, 4>& x) {
+    const SingleElement single{element, section, x};
+    const double exact = 2 / single.vibration().frequencies()(23);  // nothing damps
+    const double ratio = exact / single.now().stable_step;
+    least = std::min(least, ratio), largest = std::max(largest, ratio);
+  };
+  for (int trial = 0; trial < 3990; ++trial) {
+    const double nu = std::array{0.0, 0.3, 0.49}[static_cast<std::size_t>(trial % 3)], c = 0.5 * (1 + shapes.unit());
+    const Nodal<double, 4> x = trial % 2 == 0 ? shapes() : shapes.plane();
+    const Plate4Modes<double> m = to_plate_modes<double>(x);
+    const double h = std::pow(10, 2 * shapes.unit() - 1) * std::sqrt(Plate4Frame<double>(m.xi, m.eta).area);
+    const Layer stiff{PlaneStress{Elastic{1, 1, nu}}, c * h, Gauss<3>{}};
+    const Layer soft{PlaneStress{Elastic{0.5, std::pow(10, -3 * c), 0.3}}, (1 - c) * h, Gauss<3>{}};
+    switch (trial % 5) {
+      case 0:
+        ask(Layered{stiff, soft}, x);
+        break;
+      case 1:
+        ask(Layered{stiff, soft, stiff}, x);
+        break;
+      case 2:
+        ask(Layered{stiff, soft, Offset{shapes.unit() * h}}, x);
+        break;
+      default:
+        ask(Homogeneous{PlaneStress{Elastic{1, 1, nu}}, h, Gauss<3>{}}, x);
+    }
+  }
+  CAPTURE(largest);
+  CHECK(least >= 1 - 1e-9);
+}
+
+/// Layers that slide on each other without resistance.
+struct SlidingLayers {
+  double stiffness(const TransverseShear<double>& shear) const { return 1e-300 * shear.stiffness; }
+};
+
+/// The patch tests: in a square of five distorted quadrilaterals, stretched to a rectangle, whose nodes move by a
+/// linear field, the resultants are the same everywhere and the inner nodes are in equilibrium: of membrane strain, of
+/// curvature where layers slide, and of a uniform transverse shear, of which each node bears the couple e3 x Q of its
+/// share of the area.
+template <class E>
+void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes,
+                                  const std::array<double, 2>& stretch = {1, 1}, double tolerance = 1e-12) {
+  using Vectors = Eigen::Matrix<double, 3, 8>;
+  struct Patch {
+    std::vector<Eigen::Matrix3d> force, moment;  // of each quadrilateral, in space
+    std::vector<Eigen::Vector3d> shear;
+    Vectors nodal_force = Vectors::Zero(), nodal_moment = Vectors::Zero(), couple = Vectors::Zero();
+    double area = 0;
+  };
+  const auto same = [&](const auto& all) {
+    for (const auto& one : all) CHECK((one - all[0]).norm() <= tolerance * all[0].norm());
+  };
+  const auto balance = [&](const auto& nodal) { CHECK(nodal.rightCols(4).norm() <= tolerance * nodal.norm()); };
+
+  for (int trial = 0; trial < 5; ++trial) {
+    Vectors X;
+    X << unit_square(), (0.4 * (unit_square().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal();
+    X.row(2).setZero();
+    const Eigen::Matrix3d turn = shapes.turn();
+    X = turn * Eigen::Vector3d(stretch[0], stretch[1], 1).asDiagonal() * X.eval();
+
+    const auto respond = [&](const auto& section, const Vectors& v, const Vectors& w) {
+      constexpr int cells[5][4] = {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+      Patch patch;
+      for (const auto& cell : cells) {
+        Nodal<double, 4> x;
+        Nodal<double, 8> motion;
+        for (int i = 0; i < 4; ++i) {
+          x.col(i) = X.col(cell[i]);
+          motion.col(i) = v.col(cell[i]), motion.col(4 + i) = w.col(cell[i]);
+        }
+        SingleElement single{element, section, x};
+        const auto& now = single.step(motion, 1e-14);  // so short that its end is its middle
+        const Plate4Modes<double> m = to_plate_modes<double>(x);
+        const Plate4Frame<double> frame(m.xi, m.eta);
+        Eigen::Matrix<double, 3, 2> e;
+        e << frame.e1(), frame.e2();
+        const auto in_space = [&](const PlaneTensor<double>& a) -> Eigen::Matrix3d {
+          return e * Eigen::Matrix2d{{a.xx, a.xy}, {a.xy, a.yy}} * e.transpose();
+        };
+        patch.force.push_back(in_space(now.stress.force));
+        patch.moment.push_back(in_space(now.stress.moment));
+        patch.shear.push_back(e * now.stress.shear);
+        for (int i = 0; i < 4; ++i) {
+          patch.nodal_force.col(cell[i]) += now.force.col(i), patch.nodal_moment.col(cell[i]) += now.force.col(4 + i);
+          patch.couple.col(cell[i]) += 0.25 * now.volume * frame.normal.cross(patch.shear.back());
+        }
+        patch.area += now.volume;
+      }
+      return patch;
+    };
+    const auto in_plane = [&](Eigen::Matrix3d A) -> Eigen::Matrix3d {
+      A.row(2).setZero(), A.col(2).setZero();
+      return turn * A * turn.transpose();
+    };
+    const Vectors still = Vectors::Zero();
+
+    const Eigen::Matrix3d L = in_plane(shapes.matrix());
+    const Patch stretched = respond(elastic_plate, L * X, axial_vector<double>(L).replicate(1, 8));
+    same(stretched.force), balance(stretched.nodal_force);
+    CHECK(stretched.nodal_moment.norm() <= tolerance * stretched.nodal_force.norm());
+    CHECK(stretched.area == Approx(stretch[0] * stretch[1]).epsilon(1e-13));
+
+    const Homogeneous sliding{PlaneStress{Elastic{1, 1, 0.3}}, 0.2, Simpson<5>{}, SlidingLayers{}};
+    const Patch bent = respond(sliding, still, in_plane(shapes.matrix()) * X);
+    same(bent.moment), balance(bent.nodal_moment);
+    CHECK(bent.nodal_force.norm() <= tolerance * bent.nodal_moment.norm());
+
+    const Eigen::Vector3d normal = turn.col(2), slope = turn * shapes.vector();
+    const Vectors turned = (turn.leftCols<2>() * Eigen::Vector2d(shapes.unit(), shapes.unit())).replicate(1, 8);
+    const Patch sheared = respond(elastic_plate, normal * slope.transpose() * X, turned);
+    same(sheared.shear), balance(sheared.nodal_force);
+    CHECK((sheared.nodal_moment - sheared.couple).norm() <= tolerance * sheared.couple.norm());
+  }
+}
+
+/// All laws.
+template <class E>
+void conforms_as_plate(const E& element) {
+  const Quadrilaterals shapes(1);
+  reproduces_linear_plate_motions(element, shapes);
+  rigid_motions_give_no_force(element, elastic_plate, shapes, FiniteRotations::exact);
+  forces_and_moments_sum_to_zero(element, metal_plate, shapes);
+  creates_no_energy(element, PlateWitness{}, shapes);
+  books_its_work(element, metal_plate, shapes);
+  lanes_agree<Pack<double, 8>>(element, metal_plate, shapes);
+  lanes_agree<Pack<float, 16>>(element, metal_plate, shapes);
+  numbering_does_not_matter(element, shapes);
+  plate_step_is_safe(element, shapes);
+  failed_elements_are_silent(element, brittle_plate, shapes);
+  passes_the_plate_patch_tests(element, shapes);
+}
+
+}  // namespace strike::testing
