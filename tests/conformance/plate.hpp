@@ -64,6 +64,20 @@ struct PlateWitness {
   }
 };
 
+/// The same resultants whatever happens.
+struct ConstantResultants : PlateWitness {
+  PlateKinematics::Stress<double> resultants{};
+
+  template <class T>
+  PlateKinematics::Stress<double> stress(State<T>&, const PlateKinematics::Rate<T>&, double) const {
+    return resultants;
+  }
+  template <class T>
+  PlateKinematics::Stress<double> stress(const State<T>&) const {
+    return resultants;
+  }
+};
+
 /// Plates of the metal of the solids, elastic, plastic or brittle.
 inline const Homogeneous elastic_plate{PlaneStress{Elastic{1, 1, 0.3}}, 0.2};
 inline const Homogeneous metal_plate{PlaneStress{metal}, 0.2};
@@ -199,12 +213,11 @@ void numbering_does_not_matter(const E& element, Quadrilaterals shapes) {
 /// 1e-3 to 10, and sections of one layer, of stiff faces on a soft core, and of layers beside the surface of the nodes.
 template <class E>
 void plate_step_is_safe(const E& element, Quadrilaterals shapes) {
-  double least = 10, largest = 0;
+  double least = 10;  // exact over claimed
   const auto ask = [&](const auto& section, const Nodal<double, 4>& x) {
     const SingleElement single{element, section, x};
     const double exact = 2 / single.vibration().frequencies()(23);  // nothing damps
-    const double ratio = exact / single.now().stable_step;
-    least = std::min(least, ratio), largest = std::max(largest, ratio);
+    least = std::min(least, exact / single.now().stable_step);
   };
   for (int trial = 0; trial < 3990; ++trial) {
     const double nu = std::array{0.0, 0.3, 0.49}[static_cast<std::size_t>(trial % 3)], c = 0.5 * (1 + shapes.unit());
@@ -227,7 +240,6 @@ void plate_step_is_safe(const E& element, Quadrilaterals shapes) {
         ask(Homogeneous{PlaneStress{Elastic{1, 1, nu}}, h, Gauss<3>{}}, x);
     }
   }
-  CAPTURE(largest);
   CHECK(least >= 1 - 1e-9);
 }
 
