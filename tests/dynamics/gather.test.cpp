@@ -23,13 +23,31 @@ void moves_every_lane() {
       for (int c = 0; c < 3; ++c)
         REQUIRE(lane(a(c, static_cast<int>(i)), l) == field[nodes[i][l]][static_cast<std::size_t>(c)]);
 
+  std::vector<Padded<Real>> second(field);
+  for (auto& a_i : second) a_i += Padded<Real>(1000);
+  const auto both = gather<T, 8>(field, second, nodes);
+  for (int i = 0; i < 8; ++i)
+    for (std::size_t l = 0; l < lanes<T>; ++l)
+      for (int c = 0; c < 3; ++c) {
+        REQUIRE(lane(both(c, i), l) == lane(a(c, i), l));
+        REQUIRE(lane(both(c, 8 + i), l) == lane(a(c, i), l) + 1000);
+      }
+
   for (std::size_t count = 0; count <= lanes<T>; ++count) {  // all blocks but the last are full
     std::vector<Padded<Real>> forces(40, Padded<Real>(0)), expected(forces);
     scatter_subtract<T, 8>(a, forces, nodes, count);
+    std::vector<Padded<Real>> moments(40, Padded<Real>(0));
+    scatter_subtract<T, 8>(both, moments, nodes, count, 8);  // the columns behind
     for (std::size_t i = 0; i < 8; ++i)
-      for (std::size_t l = 0; l < count; ++l) expected[nodes[i][l]] -= field[nodes[i][l]];
+      for (std::size_t l = 0; l < count; ++l) {
+        expected[nodes[i][l]] -= field[nodes[i][l]];
+        moments[nodes[i][l]] += second[nodes[i][l]];
+      }
     for (std::size_t i = 0; i < 40; ++i)
-      for (std::size_t c = 0; c < 3; ++c) REQUIRE(forces[i][c] == expected[i][c]);  // whole numbers: exact in any order
+      for (std::size_t c = 0; c < 3; ++c) {  // whole numbers: exact in any order
+        REQUIRE(forces[i][c] == expected[i][c]);
+        REQUIRE(moments[i][c] == 0);
+      }
   }
 }
 

@@ -69,6 +69,29 @@ static_assert(std::is_empty_v<NoBulkViscosity::State<D8>>);
 static_assert(sizeof(Hex8<ViscousHourglass, Jaumann, BulkViscosity, EndStep>::State<Metal, D8>) == 9 * d8);
 static_assert(sizeof(Hex8Full<>::State<Metal, D8>) == (2 + 8 * 7) * d8);
 
+// A section has the points of its layers and a shear force; a plate adds 1/A0, five resistances against hourglass modes
+// and four against drilling, and a thickness that changes.
+using Sheet = Homogeneous<PlaneStress<Metal>>;
+static_assert(sizeof(PlaneStress<Metal>::State<double>) == 4 * sizeof(double));
+static_assert(sizeof(Sheet::State<double>) == (5 * 4 + 2) * sizeof(double));
+static_assert(sizeof(Homogeneous<PlaneStress<Elastic>, Gauss<3>, FiveSixthsShear, Offset>::State<double>) ==
+              (3 * 3 + 2) * sizeof(double));
+using Ply = Layer<PlaneStress<Elastic>, Gauss<3>>;
+static_assert(sizeof(Layered<Ply, Ply>::State<double>) == (2 * 3 * 3 + 2) * sizeof(double));
+static_assert(sizeof(Layered<Ply, Ply, InstantaneousShear>::State<double>) == (2 * (3 * 3 + 1) + 3) * sizeof(double));
+static_assert(sizeof(Plate4<>::State<Sheet, D8>) == (1 + 5 + 4 + 22) * d8);
+static_assert(sizeof(Plate4<PlateHourglass, NoWarping, ThicknessChange, FreeDrilling>::State<Sheet, D8>) ==
+              (1 + 1 + 5 + 22) * d8);
+static_assert(sizeof(Plate4<NoPlateHourglass, RigidOffset, ConstantThickness, FreeDrilling>::State<Sheet, D8>) ==
+              (1 + 22) * d8);
+
+// Nodes turn, and have angular velocities and moments, where there are plates and nowhere else.
+using Solids = Part<Hex8<>, Metal>;
+using Plates = Part<Plate4<>, Sheet, 4>;
+static_assert(!Scene<Solids, RigidWall, Symmetry>::nodes_turn && Scene<Solids, Plates>::nodes_turn);
+static_assert(sizeof(Motion<double>) == 3 * sizeof(NodalField<double>));
+static_assert(sizeof(Motion<double, true>) == 5 * sizeof(NodalField<double>));
+
 // A block has its eight nodes in each lane: 32 bytes an element. A node has position, velocity and force of four
 // numbers.
 static_assert(sizeof(RunningPart<Hex8<>, Metal, D8>::Block) == 9 * d8 + 8 * 8 * sizeof(Index));
@@ -87,4 +110,11 @@ TEST_CASE("a metal hexahedron takes 108 bytes in double, a node 112") {
   using Block = RunningPart<Hex8<>, Metal, D8>::Block;
   CHECK(sizeof(Block) / 8 + sizeof(Index) == 108);                                // with its number
   CHECK(3 * sizeof(Padded<double>) + sizeof(double) + 2 * sizeof(Index) == 112);  // with mass, number and place
+}
+
+TEST_CASE("nodes have moments of inertia where plates turn them, and nowhere else") {
+  const Nodes<double> still({{0, 0, 0}}, {0});
+  const Nodes<double, double, true> turned({{0, 0, 0}}, {0});
+  CHECK(still.inertia().capacity() == 0);
+  CHECK(turned.inertia().size() == 1);
 }

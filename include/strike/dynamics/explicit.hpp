@@ -223,7 +223,7 @@ class Explicit {
   void damp() {
     if constexpr (Damping::damps) {
       if (!damping_.passes_peak(ledger_.kinetic, ledger_.internal.settled())) return;
-      ledger_.damping.book(motion_energy());
+      ledger_.damping.book(motion_energy() + 0.5 * step_.kick() * force_power());  // m v-.v+/2 had they gone on
       for (std::size_t i = 0; i < nodes_.size(); ++i) {
         nodes_.velocity()[i] = 0;
         if constexpr (Nodes::nodes_turn) nodes_.angular_velocity()[i] = 0;
@@ -239,6 +239,16 @@ class Explicit {
       if constexpr (Nodes::nodes_turn) energy += 0.5 * nodes_.inertia(i) * nodes_.w(i).squaredNorm();
     }
     return energy;
+  }
+
+  /// What the forces do at those velocities.
+  double force_power() const {
+    double power = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      power += nodes_.f(i).dot(nodes_.v(i));
+      if constexpr (Nodes::nodes_turn) power += nodes_.moment(i).dot(nodes_.w(i));
+    }
+    return power;
   }
 
   /// v += kick f/m, and of nodes that turn w += kick moment/inertia. Collects the kinetic energy m v-.v+/2 but for the
@@ -296,12 +306,7 @@ class Explicit {
   /// half step is one under the force f at its begin alone. (From rest under a constant f they keep m v-.v+/2 - f x at
   /// -(kick f)^2/(2 m).)
   void begin_balance() {
-    double power = 0;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      power += nodes_.f(i).dot(nodes_.v(i));
-      if constexpr (Nodes::nodes_turn) power += nodes_.moment(i).dot(nodes_.w(i));
-    }
-    ledger_.kinetic -= 0.5 * step_.kick() * power;
+    ledger_.kinetic -= 0.5 * step_.kick() * force_power();
     ledger_.initial += ledger_.kinetic - energy_.kinetic;
   }
 
