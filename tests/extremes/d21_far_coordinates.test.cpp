@@ -7,7 +7,7 @@
 #include <strike/load/initial_velocity.hpp>
 #include <strike/mesh/box.hpp>
 
-#include "conformance/element.hpp"
+#include "conformance/plate.hpp"
 
 using namespace strike;
 
@@ -32,6 +32,25 @@ TEST_CASE("D21: a stress at 1e6 from the origin is the noise of the positions: e
   CHECK(noise(Hex8{}, 1e6, 1e-3) < 1e-6);
   CHECK(noise(Hex8Full{}, 1e6, 1.0) < 1e-9);
   CHECK(noise(Hex8Full{}, 1e6, 1e-3) < 1e-6);
+}
+
+TEST_CASE("D21: so is the force on a plate, in which hourglass and drilling resist too") {
+  const auto noise_of_forces = [](const auto& element, double h) {
+    const Homogeneous section{PlaneStress{testing::metal}, 0.1 * h};
+    testing::Quadrilaterals shapes(21);
+    const Nodal<double, 4> x = (h * shapes()).array() + 1e6;
+    SingleElement single{element, section, x};
+    Nodal<double, 8> v = Nodal<double, 8>::Zero();
+    v.leftCols<4>().colwise() = h * Eigen::Vector3d(1, -2, 3);
+    double worst = 0;
+    for (int i = 0; i < 1000; ++i) worst = std::max(worst, single.step(v, 0.1 / 3).force.norm());
+    return worst / (0.1 * h * h);
+  };
+  for (const double h : {1.0, 1e-3}) {
+    const double allowed = h == 1 ? 1e-9 : 1e-6;
+    CHECK(noise_of_forces(Plate4{}, h) < allowed);
+    CHECK(noise_of_forces(Plate4{PlateHourglass{}, RigidOffset{}}, h) < allowed);
+  }
 }
 
 TEST_CASE("D21: the gradient operator far away errs by the spacing of the positions there") {

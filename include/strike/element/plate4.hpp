@@ -118,7 +118,8 @@ struct Plate4 {
                          double dt) const {
     const Plate4Modes<T> m = to_plate_modes<T>(x);
     Plate4Modes<T> u = to_plate_modes<T>(v), w = to_plate_modes<T>(v, 4);
-    const auto [rate, rates, drilling_rates, middle] = measure(m, u, w, dt);
+    const Vector3<T> old_normal = cross<T>(m.xi - T(dt) * u.xi, m.eta - T(dt) * u.eta);
+    const auto [rate, rates, drilling_rates] = measure(m, u, w, dt);
 
     const Plate4Frame<T> frame(m.xi, m.eta);
     const T& A = frame.area;
@@ -130,7 +131,7 @@ struct Plate4 {
     thickness.advance(state.thickness, stress.normal_rate, dt);
 
     Response<T, 8> response;
-    response.volume = select(dot(middle, frame.normal) > 0.0, A, -A);
+    response.volume = select(dot(old_normal, frame.normal) > 0.0, A, -A);
     response.internal_work = 0.5 * dt * (T(A - dA) * power(before, rate) + A * power(stress, rate));
     response.bulk_viscosity_work = T(0.0);
     response.hourglass_work = T(0.0);
@@ -211,7 +212,6 @@ struct Plate4 {
     PlateKinematics::Rate<T> rate;
     PlateHourglassModes<T> hourglass;
     Plate4Drilling<T> drilling;
-    Vector3<T> normal;  // in the middle of the step
   };
 
   /// The same for the drilling, its moments in the modes 1/4 of the resistance there.
@@ -254,7 +254,6 @@ struct Plate4 {
       const Vector3<T> q_u = u.h - p(0) * u.xi - p(1) * u.eta, q_w = w.h - p(0) * w.xi - p(1) * w.eta;
       measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), dot(e3, q_u)};
     }
-    measure.normal = e3;
     return measure;
   }
 
