@@ -84,10 +84,12 @@ inline const Homogeneous metal_plate{PlaneStress{metal}, 0.2};
 inline const Homogeneous brittle_plate{PlaneStress{brittle}, 0.2};
 
 /// Velocities and angular velocities that are linear in the positions X of a plane, and do not drill: v = L X + a,
-/// w = W X + b, but about the normal the spin of L.
+/// w = W X + b, but about the normal the spin of L. Or, for elements that measure the shear along their edges, with a
+/// deflection to the curvature, so that the shear is uniform too.
+enum class Bending { rotations, deflection };
 class LinearPlateMotion {
  public:
-  LinearPlateMotion(Quadrilaterals& shapes, const Nodal<double, 4>& X)
+  LinearPlateMotion(Quadrilaterals& shapes, const Nodal<double, 4>& X, Bending bending)
       : L_(shapes.matrix()),
         W_(shapes.matrix()),
         a_(shapes.vector()),
@@ -100,11 +102,21 @@ class LinearPlateMotion {
     const auto drilling = [&](const auto& w) { return (e3 * e3.transpose() * w).eval(); };
     W_ -= drilling(W_);
     b_ += e3 * axial_vector<double>(L_).dot(e3) - drilling(b_);
+    turn_ << 0, e3.z(), -e3.y(), -e3.z(), 0, e3.x(), e3.y(), -e3.x(), 0;
+    if (bending == Bending::deflection) {
+      const Eigen::Matrix3d in_plane = -turn_ * turn_, K = in_plane * turn_ * W_ * in_plane;
+      curvature_ = 0.5 * (K + K.transpose());
+      W_ = -turn_ * curvature_;
+    }
   }
 
   Nodal<double, 8> operator()(const Nodal<double, 4>& X) const {
     Nodal<double, 8> v;
     v << (L_ * X).colwise() + a_, (W_ * X).colwise() + b_;
+    for (int i = 0; i < 4; ++i) {
+      const Eigen::Vector3d d = X.col(i) - middle_;
+      v.col(i) -= 0.5 * d.dot(curvature_ * d) * e_.col(2);
+    }
     return v;
   }
   /// A point z over the plane moves at v + w x z e3.
@@ -114,15 +126,13 @@ class LinearPlateMotion {
       return {local(0, 0), local(1, 1), 0.5 * (local(0, 1) + local(1, 0))};
     };
     const Eigen::Vector3d e3 = e_.col(2), w = W_ * middle_ + b_;
-    Eigen::Matrix3d turn;  // turn w = w x e3
-    turn << 0, e3.z(), -e3.y(), -e3.z(), 0, e3.x(), e3.y(), -e3.x(), 0;
     const Eigen::Vector3d shear = e_.transpose() * (L_.transpose() * e3 + w.cross(e3));
-    return {in_plane(L_), in_plane(turn * W_), {shear.x(), shear.y()}};
+    return {in_plane(L_), in_plane(turn_ * W_), {shear.x(), shear.y()}};
   }
   double size() const { return L_.norm() + W_.norm() + b_.norm(); }
 
  private:
-  Eigen::Matrix3d L_, W_, e_;
+  Eigen::Matrix3d L_, W_, e_, turn_, curvature_ = Eigen::Matrix3d::Zero();  // turn w = w x e3
   Eigen::Vector3d a_, b_, middle_;
 };
 
@@ -165,7 +175,7 @@ template <class E>
 void reproduces_linear_plate_motions(const E& element, Quadrilaterals shapes) {
   for (int trial = 0; trial < 20; ++trial) {
     const Nodal<double, 4> middle = shapes.plane();  // where the nodes are in the middle of the step
-    const LinearPlateMotion motion(shapes, middle);
+    const LinearPlateMotion motion(shapes, middle, E::projects_shear ? Bending::deflection : Bending::rotations);
     const Nodal<double, 8> v = motion(middle);
     const double dt = 0.01;
     typename E::template State<PlateWitness, double> state;
@@ -249,8 +259,9 @@ struct SlidingLayers {
 };
 
 /// The patch tests: in a square of five distorted quadrilaterals whose nodes move by a linear field, the resultants are
-/// the same everywhere and the inner nodes are in equilibrium: of membrane strain, of curvature where layers slide, and
-/// of a uniform transverse shear, of which each node bears the couple e3 x Q of its share of the area.
+/// the same everywhere and the inner nodes are in equilibrium: of membrane strain, of curvature where layers slide or,
+/// if the shear is that along the edges, of any section, and of a uniform transverse shear, of which each node bears
+/// the couple e3 x Q of its share of the area.
 template <class E>
 void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
   const double tolerance = 1e-12;  // rounding
@@ -324,7 +335,22 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
     const Vectors turned = (turn.leftCols<2>() * Eigen::Vector2d(shapes.unit(), shapes.unit())).replicate(1, 8);
     const Patch sheared = respond(elastic_plate, normal * slope.transpose() * X, turned);
     same(sheared.shear), balance(sheared.nodal_force);
-    CHECK((sheared.nodal_moment - sheared.couple).norm() <= tolerance * sheared.couple.norm());
+    if (E::projects_shear) {  // the edges give nodes other shares of the couple
+      const Eigen::Vector3d left = (sheared.nodal_moment - sheared.couple).rowwise().sum();
+      CHECK(left.norm() <= tolerance * sheared.couple.norm());
+
+      const Eigen::Matrix3d curvature = in_plane(symmetric_part(shapes.matrix()).matrix());  // of w = x.curvature x/2
+      const Vectors slopes = curvature * X;
+      const Vectors sinks = normal * (0.5 * slopes.cwiseProduct(X).colwise().sum());
+      Vectors turns;
+      for (int i = 0; i < 8; ++i) turns.col(i) = normal.cross(Eigen::Vector3d(slopes.col(i)));
+      const Patch deflected = respond(elastic_plate, sinks, -turns);
+      same(deflected.moment), balance(deflected.nodal_moment);
+      for (const auto& shear : deflected.shear) CHECK(shear.norm() <= tolerance * deflected.moment[0].norm());
+      CHECK(deflected.nodal_force.norm() <= 10 * tolerance * deflected.nodal_moment.norm());
+    } else {
+      CHECK((sheared.nodal_moment - sheared.couple).norm() <= tolerance * sheared.couple.norm());
+    }
   }
 }
 

@@ -15,7 +15,8 @@ TEST_CASE("Plate4 gives the forces and moments of Belytschko, Lin and Tsay on a 
     section.resultants = {
         {numbers(0), numbers(1), numbers(2)}, {numbers(3), numbers(4), numbers(5)}, {numbers(6), numbers(7)}, 0};
     const auto& [N, Moment, Q, rate] = section.resultants;
-    const auto found = testing::detail::respond(Plate4{}, section, X, Nodal<double, 8>::Zero().eval(), 1.0).force;
+    const Plate4 theirs{PlateHourglass{}, NoWarping{}};
+    const auto found = testing::detail::respond(theirs, section, X, Nodal<double, 8>::Zero().eval(), 1.0).force;
 
     const Eigen::RowVector4d x = frame.e1().transpose() * X, y = frame.e2().transpose() * X;
     const auto across = [](const Eigen::RowVector4d& a) -> Eigen::RowVector4d {

@@ -78,7 +78,7 @@ struct Plate4 {
 
   using Kinematics = PlateKinematics;
   static constexpr int nodes = 4;
-  static constexpr bool turns_nodes = true;
+  static constexpr bool turns_nodes = true, projects_shear = Warping::projects_shear;
 
   template <class Section, class T>
   struct State {
@@ -149,6 +149,10 @@ struct Plate4 {
     G.eta = M.xy * c_xi + M.yy * c_eta;
     G.s = (0.25 * Q_xi) * c_xi + (0.25 * Q_eta) * c_eta;
     F.s = F.h = G.h = Vector3<T>{T(0.0), T(0.0), T(0.0)};
+    if constexpr (projects_shear) {
+      const Vector3<T> c_h = cross(e3, m.h);
+      G.eta = G.eta + (0.25 * Q_xi) * c_h, G.xi = G.xi + (0.25 * Q_eta) * c_h;
+    }
 
     const typename PlateKinematics::Moduli<T> moduli = material.moduli(state.material, felt);
     const PlaneTensor<T> bb = frame.gradient_squared();
@@ -164,6 +168,11 @@ struct Plate4 {
                        R_w = R.bending(0) * e1 + R.bending(1) * e2;
       F.h = R_u, F.xi = F.xi - p(0) * R_u, F.eta = F.eta - p(1) * R_u;
       G.h = R_w, G.xi = G.xi - p(0) * R_w, G.eta = G.eta - p(1) * R_w;
+      if constexpr (projects_shear) {
+        const Vector3<T> c_h = cross(e3, m.h);
+        G.eta = G.eta + (0.125 * R.shear) * c_xi - (0.25 * R.shear * p(0)) * c_h;
+        G.xi = G.xi + (0.125 * R.shear) * c_eta - (0.25 * R.shear * p(1)) * c_h;
+      }
     }
     T drilling_stiffness = T(0.0);
     if constexpr (drills) {
@@ -181,7 +190,7 @@ struct Plate4 {
     to_plate_nodes(F, response.force);
     to_plate_nodes(G, response.force, 4);
 
-    response.critical_rate = critical_rate(material, state, moduli, control, drilling_stiffness, bb, A, z, p);
+    response.critical_rate = critical_rate(material, state, moduli, control, drilling_stiffness, bb, A, z, h_local, p);
     if constexpr (requires { material.intact(state.material); })
       silence(material.intact(state.material) > 0.0, response);
     return response;
@@ -247,12 +256,21 @@ struct Plate4 {
     PlateKinematics::Rate<T>& rate = measure.rate;
     rate.membrane = frame.turned({dot(m_xi, u.xi), dot(m_eta, u.eta), 0.5 * (dot(m_xi, u.eta) + dot(m_eta, u.xi))});
     rate.curvature = frame.turned({dot(c_xi, w.xi), dot(c_eta, w.eta), 0.5 * (dot(c_xi, w.eta) + dot(c_eta, w.xi))});
-    rate.shear = frame.turned(dot(e3, u.xi) + 0.25 * dot(c_xi, w.s), dot(e3, u.eta) + 0.25 * dot(c_eta, w.s));
+    T gamma_xi = dot(e3, u.xi) + 0.25 * dot(c_xi, w.s), gamma_eta = dot(e3, u.eta) + 0.25 * dot(c_eta, w.s);
+    if constexpr (projects_shear) {
+      const Vector3<T> c_h = cross(e3, m_h);
+      gamma_xi += 0.25 * dot(c_h, w.eta), gamma_eta += 0.25 * dot(c_h, w.xi);
+    }
+    rate.shear = frame.turned(gamma_xi, gamma_eta);
     if constexpr (controlled) {
       // gamma.f = f_h - p.(f_xi, f_eta), p the components of m_h along the tangents
       const Vector2<T> h_local = frame.in_plane(m_h), p = frame.turned(h_local(0), h_local(1));
       const Vector3<T> q_u = u.h - p(0) * u.xi - p(1) * u.eta, q_w = w.h - p(0) * w.xi - p(1) * w.eta;
-      measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), dot(e3, q_u)};
+      T q_across = dot(e3, q_u);
+      if constexpr (projects_shear)  // what the shears along opposite edges differ by, which is nothing in pure bending
+        q_across +=
+            0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(cross(e3, m_h), p(0) * w.eta + p(1) * w.xi);
+      measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), q_across};
     }
     return measure;
   }
@@ -287,13 +305,14 @@ struct Plate4 {
   ///   w^2 <= (A/m) (lambda tr S + 2 G L1(S)),   S_ij = b_iI b_jI,
   /// where both together take the larger eigenvalue of [extension/m, coupling/sqrt(m I); ., bending/I], in which the
   /// warp may give rotations a lever on the membrane; those of the transverse shear, which moves other modes, by
-  ///   w^2 <= A K (L1(S)/m + 1/(4 I)).
+  ///   w^2 <= A K (L1(S)/m + 1/(4 I)),
+  /// but for what a shear along the edges shares with bending, A K L1(S) |h|^2/(16 I), h the part of m_h in the plane.
   /// Control adds 4 k/m in h and what its vectors share with the others: gamma = h - p_i Lambda_i, and of the membrane,
   /// where a warp gives the mean rotation a lever on them, z/4 sqrt(m/I) of that.
   template <class Section, class T>
   T critical_rate(const Section& material, const State<Section, T>& state, const PlateKinematics::Moduli<T>& moduli,
                   const PlateHourglassStiffness<T>& control, const T& drilling_stiffness, const PlaneTensor<T>& S,
-                  const T& A, const T& z, const Vector2<T>& p) const {
+                  const T& A, const T& z, const Vector2<T>& h, const Vector2<T>& p) const {
     const T per_mass = (4.0 / material.density()) * state.inverse_area;
     const T per_gyration = 1.0 / gyration_squared(material, T(1.0 / state.inverse_area));  // m/I
     const T L1 = largest_eigenvalue(S), trace_S = trace(S);
@@ -307,9 +326,17 @@ struct Plate4 {
             shear = both(moduli.extension.shear, moduli.coupling.shear, moduli.bending.shear);
     const T strain = max(T(0.0), normal) * trace_S + 2.0 * shear * L1;
     const T across = moduli.transverse_shear * (L1 + 0.25 * per_gyration);
-    const T w2 = (A * per_mass) * (warping.stiffening(z, per_gyration, S) * max(strain, across));
+    T bound = max(strain, across);
+    if constexpr (projects_shear) {
+      const T both_move = T(1.0 / 16.0) * moduli.transverse_shear * L1 * (h(0) * h(0) + h(1) * h(1)) * per_gyration;
+      bound = largest_eigenvalue(PlaneTensor<T>{across, strain + both_move, sqrt(across * both_move)});
+    }
+    const T w2 = (A * per_mass) * (warping.stiffening(z, per_gyration, S) * bound);
 
-    const T shared = p(0) * p(0) + p(1) * p(1) + 0.0625 * z * z * per_gyration;
+    T shared = p(0) * p(0) + p(1) * p(1) + 0.0625 * z * z * per_gyration;
+    if constexpr (projects_shear)  // |c_xi/8|^2 + ... of twice four nodes: tr(U^2) = 4 tr(S)/det(S), det(S) = 1/A^2
+      shared += T(1.0 / 32.0) * per_gyration *
+                (4.0 * A * A * trace_S + 4.0 * (h(0) * h(0) + h(1) * h(1)) * (p(0) * p(0) + p(1) * p(1)));
     const T c = (4.0 * per_mass) * max(max(control.membrane, control.shear), control.bending * per_gyration);
     const T d = drilling_stiffness * per_mass * (per_gyration + 2.0 * L1);
     return 0.5 * sqrt(largest_eigenvalue(PlaneTensor<T>{w2 + c * shared, c, c * sqrt(shared)}) + d);

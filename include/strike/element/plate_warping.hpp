@@ -17,12 +17,14 @@ namespace strike {
 // - `lever(z)`: of how long a rotation moves the plane;
 // - `stiffening(z, per_gyration, S)`: by which factor it raises the squares of frequencies beyond that; per_gyration is
 //   m/I of a node and S = b b^T;
-// - `drills`: whether it makes use of the drilling.
+// - `drills`: whether it makes use of the drilling;
+// - `projects_shear`: whether the transverse shear is the mean of that along opposite edges, in which a rotation that
+//   grows along the plate adds nothing where it bends alone, whatever the shape; or that of the mean rotation.
 
 /// The hourglass control alone knows of the warp (Belytschko, Lin and Tsay 1984): u_h - z/4 w_s x e3 is what a rigid
 /// motion makes zero.
 struct NoWarping {
-  static constexpr bool drills = false;
+  static constexpr bool drills = false, projects_shear = false;
 
   template <class T>
   void rates(const Plate4Frame<T>& frame, const T& z, const Plate4Drilling<T>&, Plate4Modes<T>& u,
@@ -47,7 +49,7 @@ struct NoWarping {
 /// Rigid links from the mean plane to the nodes: v_plane = v - z_I w_I x e3, in the modes of the product h_I w_I
 /// (MacNeal 1978; what X3D says of "calculations with respect to the mean plane, corrected").
 struct RigidOffset {
-  static constexpr bool drills = false;
+  static constexpr bool drills = false, projects_shear = false;
 
   template <class T>
   void rates(const Plate4Frame<T>& frame, const T& z, const Plate4Drilling<T>&, Plate4Modes<T>& u,
@@ -78,9 +80,11 @@ struct RigidOffset {
 /// The drilling projection of Belytschko, Wong and Chiang (1992): nodes turn about the pseudo-normal p_I = e3 - grad z
 /// at them as the plate does, for their own turn about it means nothing:
 ///   w_I <- w_I - d_I grad z_I,   grad z_I = z (eta_I g^xi + xi_I g^eta),   g^i . m_j = delta_ij.
-/// Where nodes do not turn about their normals, these are the authors' curvatures b^c v.
+/// Where nodes do not turn about their normals, these are the authors' curvatures b^c v. Their shear projection takes
+/// the shear along the edges; here opposite ones have equal shares, so that a constant shear is exact on any
+/// quadrilateral.
 struct BelytschkoWongChiang {
-  static constexpr bool drills = true;
+  static constexpr bool drills = true, projects_shear = true;
 
   template <class T>
   void rates(const Plate4Frame<T>& frame, const T& z, const Plate4Drilling<T>& d, Plate4Modes<T>& u,
