@@ -1,6 +1,6 @@
 // The verification problems that take longer than a test may: each prints a row of docs/verification.md.
 //
-//   build/bench/bench/verification                 all
+//   build/bench/bench/verification                 all, some quarter of an hour on one core
 //   build/bench/bench/verification taylor          only those whose name contains a word
 #include <cmath>
 #include <cstdio>
