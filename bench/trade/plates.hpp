@@ -42,7 +42,7 @@ constexpr auto thickness_changes = [](auto& cases) {
   cases.add("thickness change", Plate{Plate4{PlateHourglass{}, BelytschkoWongChiang{}, ThicknessChange{}}});
 };
 
-/// The last is Belytschko, Lin and Tsay's own.
+/// With each of the warps: the last is Belytschko, Lin and Tsay's own element.
 constexpr auto drillings = [](auto& cases) {
   constexpr PlateHourglass hourglass;
   constexpr ConstantThickness thickness;

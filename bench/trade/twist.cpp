@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto bend = [](const auto& plate, auto, const Setting& setting) -> Outcome {
   const Index n = Index{2} << setting.mesh;
-  const std::size_t most_steps = 40000 * n;
+  const std::size_t most_steps = 200000 * n;
   shells::Rest rest;
   const double seconds = cpu_seconds([&] {
     rest = shells::twisted_beam(n, shells::TipLoad::in_plane, plate.element, shells::thick_strip, most_steps);
