@@ -58,7 +58,7 @@ constexpr Band met{1, 0.02};
 constexpr std::size_t most_steps = 20000000;
 
 void shells_at_rest() {
-  for (const Index n : {8, 16, 32}) {
+  for (const Index n : {8u, 16u, 32u}) {
     at_rest(on_mesh("roof", n, n), n < 16 ? unknown : met, [&] { return shells::scordelis_lo(n, Plate4{}); });
     at_rest(on_mesh("cylinder", n, n), n < 32 ? unknown : met, [&] { return shells::pinched_cylinder(n, Plate4{}); });
     at_rest(on_mesh("hemisphere", n, n), n < 16 ? unknown : met,
@@ -67,19 +67,19 @@ void shells_at_rest() {
 }
 
 void roof_by_drilling() {
-  for (const Index n : {8, 16, 32}) {
+  for (const Index n : {8u, 16u, 32u}) {
     at_rest(on_mesh("roof", n, n) + " free drilling", unknown,
             [&] { return shells::scordelis_lo(n, drilling_freely); });
     for (const auto& [text, r] : {std::pair{"1e-5", 1e-5}, {"1e-4", 1e-4}, {"1e-2", 1e-2}})
       at_rest(on_mesh("roof", n, n) + " drilling " + text, unknown,
-              [&] { return shells::scordelis_lo(n, drilled(r)); });
+              [n, r = r] { return shells::scordelis_lo(n, drilled(r)); });
   }
 }
 
 template <class Element>
 void twisted_beam(const std::string& policies, const Band& fine, const Element& element,
                   const shells::Strip& strip = shells::thick_strip, const char* kind = "") {
-  for (const Index n : {2, 4, 8})
+  for (const Index n : {2u, 4u, 8u})
     for (const auto load : {shells::TipLoad::in_plane, shells::TipLoad::across})
       at_rest(on_mesh(std::string(kind) + "twisted beam", n, 6 * n) +
                   (load == shells::TipLoad::in_plane ? ", in plane" : ", across") + policies,
@@ -88,7 +88,7 @@ void twisted_beam(const std::string& policies, const Band& fine, const Element& 
 
 template <class Element>
 void far_swing(const std::string& policies, const Element& element) {
-  for (const Index n : {8, 16, 32})
+  for (const Index n : {8u, 16u, 32u})
     for (const auto edges : {supported_plate::Edges::hard, supported_plate::Edges::soft}) {
       const std::string name =
           on_mesh("supported plate", n, n) + (edges == supported_plate::Edges::hard ? ", hard" : ", soft") + policies;
