@@ -45,6 +45,7 @@ struct Problem {
   std::string error;                ///< what is compared with which reference
   double uncertainty = 0;           ///< of the reference
   std::vector<std::string> meshes;  ///< from coarse to fine
+  std::string elements = "hexahedra";
   std::vector<Case> cases = {};
 };
 
@@ -79,5 +80,8 @@ Problem taylor();
 Problem beam();
 Problem waves();
 Problem spin();
+Problem panel();
+Problem twist();
+Problem pane();
 
 }  // namespace trade

@@ -56,8 +56,9 @@ inline std::string cell(const Run& run) {
 inline std::string markdown(const Study& study) {
   std::vector<std::string> titles{"policy"};
   for (std::size_t k = 0; k < study.runs.front().size(); ++k)
-    titles.push_back(detail::joined(
-        {study.problem.meshes[k], ", ", std::to_string(study.runs.front()[k].outcome.elements), " hexahedra"}));
+    titles.push_back(
+        detail::joined({study.problem.meshes[k], ", ", std::to_string(study.runs.front()[k].outcome.elements), " ",
+                        study.problem.elements}));
   titles.insert(titles.end(), {"steps", "ns per element and step"});
   std::string text =
       detail::joined({"### ", study.problem.title, "\n\nError: ", study.problem.error, ".\n\n", head(titles)});

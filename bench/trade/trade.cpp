@@ -1,5 +1,6 @@
 // Accuracy against price: every problem is run in every policy on meshes from coarse to fine, and what came out is set
-// beside the CPU time that it took. A new problem is a file beside this one; a new policy is a line in policies.hpp.
+// beside the CPU time that it took. A new problem is a file beside this one; a new policy is a line in policies.hpp,
+// one of plates in plates.hpp.
 //
 //   build/bench/bench/trade                          everything on three meshes
 //   build/bench/bench/trade meshes=4                 on the finest too
@@ -55,7 +56,7 @@ Study study(Problem problem, std::size_t meshes) {
 int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     std::vector<std::string> names{"all"};
-    std::vector<Problem> problems{taylor(), beam(), waves(), spin()};
+    std::vector<Problem> problems{taylor(), beam(), waves(), spin(), panel(), twist(), pane()};
     for (const Problem& problem : problems) names.push_back(problem.name);
     const std::string chosen = options.choice("problem", names);
     const std::size_t meshes = options.count("meshes", 3);

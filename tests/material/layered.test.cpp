@@ -3,6 +3,7 @@
 #include <numbers>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <strike/material/failure/failure.hpp>
@@ -10,6 +11,7 @@
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/point_values.hpp>
 #include <strike/material/strength/von_mises.hpp>
+#include <strike/material/zero_normal_stress.hpp>
 #include <strike/scalar/pack.hpp>
 
 #include "support/catch.hpp"
@@ -207,6 +209,17 @@ TEST_CASE("layered: what is remembered gives the resultants, before and after a 
   CHECK(points == 5 + 3 + 3);
   CHECK(of_layer_1 == 3);
   CHECK(section.layers() == 3);
+}
+
+TEST_CASE("layered: a step of no time, as at the begin of a run, is the stress that is remembered") {
+  const Homogeneous closed{steel, 1e-3};
+  const Homogeneous searched{
+      ZeroNormalStress{Elastic{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3}}, 1e-3};
+  CHECK(same(answer(closed, any_rate, 0), Resultant{}));
+  CHECK(same(answer(searched, any_rate, 0), Resultant{}));
+  auto state = at_rest(closed);
+  closed.stress(state, any_rate, 1);
+  CHECK(same(closed.stress(state, any_rate, 0), closed.stress(std::as_const(state))));
 }
 
 TEST_CASE("layered: interlaminar stresses are the exact ones of long waves") {

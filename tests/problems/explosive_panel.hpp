@@ -57,13 +57,15 @@ inline Mesh mesh(Index n, const Units& units = {}) {
       {.radius = units.radius(), .length = units.span(), .arc = {0, std::numbers::pi / 3}, .cells = {n, 2 * n}});
 }
 
-/// Of elastic and perfectly plastic aluminium.
+/// Elastic and perfectly plastic.
+inline auto aluminium(const Units& units = {}) {
+  const double E = units.youngs_modulus(), nu = 0.33;
+  return PlaneStress{Solid{LinearEos{.density = units.density(), .bulk_modulus = E / (3 * (1 - 2 * nu))},
+                           VonMises{.shear_modulus = E / (2 * (1 + nu)), .yield_stress = units.yield_stress()}}};
+}
 template <class Rule>
 auto section(const Rule& rule, const Units& units = {}) {
-  const double E = units.youngs_modulus(), nu = 0.33;
-  const Solid aluminium{LinearEos{.density = units.density(), .bulk_modulus = E / (3 * (1 - 2 * nu))},
-                        VonMises{.shear_modulus = E / (2 * (1 + nu)), .yield_stress = units.yield_stress()}};
-  return Homogeneous{PlaneStress{aluminium}, units.thickness(), rule};
+  return Homogeneous{aluminium(units), units.thickness(), rule};
 }
 
 template <class Section, class Element = Plate4<>>

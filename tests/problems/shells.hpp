@@ -67,6 +67,7 @@ struct Rest {
   double hourglass;     ///< energy over the internal one
   std::size_t steps;
   double balance;
+  bool settled;  ///< or given up
 };
 
 /// Lets the mesh come to rest, or gives up after as many steps.
@@ -78,12 +79,13 @@ Rest settle(const Mesh& mesh, const Element& element, const Section& section, Fo
                DynamicRelaxation{}};
   struct Patience {
     std::size_t most_steps, steps = 0;
-    bool stops() const { return steps >= most_steps; }
-    void operator()() { ++steps; }
+    bool stops() const { return steps > most_steps; }
+    void operator()() { ++steps; }  // before the first step too
   };
   run.until(at_rest, Patience{most_steps});
   const Energy& e = run.energy();
-  return {(run.nodes().x(node) - mesh.nodes[node]).dot(direction), e.hourglass / e.internal, run.steps(), e.error()};
+  return {(run.nodes().x(node) - mesh.nodes[node]).dot(direction), e.hourglass / e.internal, run.steps(), e.error(),
+          run.steps() < most_steps};
 }
 
 inline std::vector<Index> on(const Mesh& mesh, Axis axis, double at) {
@@ -128,7 +130,7 @@ Rest pinched_cylinder(Index n, const Element& element) {
 /// A hemisphere with a hole of 18 degrees, pulled and pushed at its edge by forces of 2, a quarter of it: 0.0940 under
 /// them.
 template <class Element>
-Rest pinched_hemisphere(Index n, const Element& element) {
+Rest pinched_hemisphere(Index n, const Element& element, std::size_t most_steps = 200000) {
   constexpr double R = 10, right = std::numbers::pi / 2, small = 1e-3;
   const Mesh dome = sheet({n, n}, [&](double s, double t) {
     const double a = s * right, b = t * 0.8 * right;
@@ -138,17 +140,23 @@ Rest pinched_hemisphere(Index n, const Element& element) {
   Rest rest = settle(dome, element, elastic(6.825e7, 0.3, 0.04), {{{pulled, {small, 0, 0}}, {pushed, {0, -small, 0}}}},
                      {{Symmetry{Axis::x, on(dome, Axis::x, 0)}, Symmetry{Axis::y, on(dome, Axis::y, 0)},
                        Support{{pulled}, {unit(Axis::z)}}}},
-                     pulled, {1, 0, 0});
+                     pulled, {1, 0, 0}, most_steps);
   rest.displacement /= 0.0940 * small;
   return rest;
 }
 
-/// A strip twisted by a right angle, clamped at one end, loaded by 1 at the other in its plane there (0.005424) or
-/// across it (0.001754): n elements over the width, 6 n along.
+/// A strip twisted by a right angle, clamped at one end, loaded at the other in its plane there or across it: n
+/// elements over the width, 6 n along.
 enum class TipLoad { in_plane, across };
+struct Strip {
+  double thickness, force;
+  double in_plane, across;  ///< references
+};
+inline constexpr Strip thick_strip{0.32, 1, 0.005424, 0.001754}, thin_strip{0.0032, 1e-6, 0.005256, 0.001294};
 template <class Element>
-Rest twisted_beam(Index n, TipLoad load, const Element& element) {
-  constexpr double length = 12, width = 1.1, thickness = 0.32;
+Rest twisted_beam(Index n, TipLoad load, const Element& element, const Strip& strip = thick_strip,
+                  std::size_t most_steps = 200000) {
+  constexpr double length = 12, width = 1.1;
   const Mesh beam = sheet({6 * n, n}, [&](double s, double t) {
     const double angle = s * std::numbers::pi / 2, y = (t - 0.5) * width;
     return Eigen::Vector3d(s * length, y * std::cos(angle), y * std::sin(angle));
@@ -157,10 +165,11 @@ Rest twisted_beam(Index n, TipLoad load, const Element& element) {
   Forces forces;
   for (const auto& cell : beam.quadrilaterals)  // the edge 1-2 of the last elements
     for (const Index i : {cell[1], cell[2]})
-      if (beam.nodes[cell[1]].x() > length * (1 - 1e-9)) forces.forces.emplace_back(i, 0.5 / n * direction);
-  Rest rest = settle(beam, element, elastic(29e6, 0.22, thickness), forces, {{Clamped{on(beam, Axis::x, 0)}}},
-                     node_at(beam, {length, 0, 0}), direction);
-  rest.displacement /= load == TipLoad::in_plane ? 0.005424 : 0.001754;
+      if (beam.nodes[cell[1]].x() > length * (1 - 1e-9))
+        forces.forces.emplace_back(i, 0.5 * strip.force / n * direction);
+  Rest rest = settle(beam, element, elastic(29e6, 0.22, strip.thickness), forces, {{Clamped{on(beam, Axis::x, 0)}}},
+                     node_at(beam, {length, 0, 0}), direction, most_steps);
+  rest.displacement /= load == TipLoad::in_plane ? strip.in_plane : strip.across;
   return rest;
 }
 

@@ -316,6 +316,7 @@ class Layered {
 
   template <class T>
   PlateKinematics::Stress<T> stress(State<T>& state, const PlateKinematics::Rate<T>& rate, double dt) const {
+    if (dt == 0) return stress(std::as_const(state), rate.relative_thickness);  // the begin of a run, without rates
     const T& stretch = rate.relative_thickness;
     const PlaneTensor<T> curvature = stretch * rate.curvature;  // per height in the reference configuration
     Resultants<T> sum;

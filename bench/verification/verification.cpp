@@ -1,13 +1,11 @@
 // The verification problems that take longer than a test may: each prints a row of docs/verification.md.
 //
-//   build/bench/bench/verification                 all, some four minutes on one core
+//   build/bench/bench/verification                 all, some quarter of an hour on one core
 //   build/bench/bench/verification taylor          only those whose name contains a word
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <limits>
-#include <string>
-#include <string_view>
 
 #include <strike/contact/rigid_wall.hpp>
 #include <strike/element/hex8_full.hpp>
@@ -15,28 +13,12 @@
 #include "problems/free_cubes.hpp"
 #include "problems/revolutions.hpp"
 #include "problems/taylor_bar.hpp"
+#include "row.hpp"
 
 using namespace strike;
+using namespace verification;
 
 namespace {
-
-std::string_view wanted;
-
-struct Band {
-  double reference, tolerance;
-};
-/// Where nothing is known beforehand.
-constexpr Band unknown{std::numeric_limits<double>::quiet_NaN(), 0};
-
-void row(const char* problem, const char* quantity, const Band& band, double ours, const char* unit) {
-  if (std::isnan(band.reference))
-    std::printf("| %s | %s | | | %.5g | %s | |\n", problem, quantity, ours, unit);
-  else
-    std::printf("| %s | %s | %g | %g | %.5g | %s | %s |\n", problem, quantity, band.reference, band.tolerance, ours,
-                unit, std::abs(ours - band.reference) <= band.tolerance ? "yes" : "**no**");
-  std::fflush(stdout);
-}
-bool is_wanted(std::string_view name) { return name.find(wanted) != std::string_view::npos; }
 
 /// The bar after 80 us.
 template <class Run>
@@ -87,7 +69,7 @@ void many_revolutions(const char* name, const E& element) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  wanted = count > 1 ? arguments[1] : "";
+  wanted() = count > 1 ? arguments[1] : "";
   std::printf("| problem | quantity | reference | tolerance | ours | unit | within |\n|---|---|--:|--:|--:|---|---|\n");
   const auto usual = [](const char* name, Index cells, const Band& L, const Band& R, const Band& strain) {
     if (!is_wanted(name)) return;
@@ -110,4 +92,5 @@ int main(int count, char** arguments) {
   usual("taylor 9x150", 9, {21.434, 0.02}, {7.19, 0.02}, unknown);
   if (is_wanted("D8 Hex8")) many_revolutions("D8 Hex8", Hex8{});
   if (is_wanted("D2 undamped")) incompressible_cubes("D2 undamped");
+  plates();
 }
