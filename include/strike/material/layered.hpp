@@ -327,11 +327,12 @@ class Layered {
         strained[i] = {rate.membrane + T(numbers.z[i]) * curvature};
         before[i] = material.stress(std::as_const(own.points[i]));
       }
-      advance(material, own.points, strained, dt);
+      const std::array<PlaneTensor<T>, n> after = stresses(material, own.points, strained, dt);
       for (std::size_t i = 0; i < n; ++i) {
         const auto& point = own.points[i];
         const T z = T(numbers.z[i]), weight = T(numbers.weight[i]);
-        const PlaneTensor<T> sigma = material.stress(point), change = sigma - before[i];
+        const PlaneTensor<T>& sigma = after[i];
+        const PlaneTensor<T> change = sigma - before[i];
         sum.add(z, weight, sigma);
         sum.normal_rate += weight * material.normal_rate(point, strained[i], dt, change);
         if constexpr (instantaneous) {
@@ -423,14 +424,17 @@ class Layered {
     }
   };
 
-  /// The points of a layer at once where its material can.
+  /// Of the points of a layer, at once where its material can.
   template <class M, class P, class T, std::size_t n>
-  static void advance(const M& material, std::array<P, n>& points,
-                      const std::array<PlaneStressKinematics::Rate<T>, n>& rates, double dt) {
-    if constexpr (requires { material.template advance<T, n>(points, rates, dt); })
-      material.template advance<T, n>(points, rates, dt);
-    else
-      for (std::size_t i = 0; i < n; ++i) material.stress(points[i], rates[i], dt);
+  static std::array<PlaneTensor<T>, n> stresses(const M& material, std::array<P, n>& points,
+                                                const std::array<PlaneStressKinematics::Rate<T>, n>& rates, double dt) {
+    if constexpr (requires { material.stresses(points, rates, dt); }) {
+      return material.stresses(points, rates, dt);
+    } else {
+      std::array<PlaneTensor<T>, n> stresses;
+      for (std::size_t i = 0; i < n; ++i) stresses[i] = material.stress(points[i], rates[i], dt);
+      return stresses;
+    }
   }
 
   template <std::size_t i>

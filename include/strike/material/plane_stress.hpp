@@ -158,7 +158,41 @@ struct PlaneStress {
     advance<T, 1>(std::span<State<T>, 1>(&state, 1), std::span<const PlaneStressKinematics::Rate<T>, 1>(&rate, 1), dt);
     return state.stress;
   }
-  /// The same for n points at once, which takes less time.
+  /// The same of n points at once, which takes less time.
+  template <class T, std::size_t n>
+  std::array<PlaneTensor<T>, n> stresses(std::array<State<T>, n>& points,
+                                         const std::array<PlaneStressKinematics::Rate<T>, n>& rates, double dt) const {
+    advance<T, n>(points, rates, dt);
+    std::array<PlaneTensor<T>, n> stresses;
+    for (std::size_t k = 0; k < n; ++k) stresses[k] = points[k].stress;
+    return stresses;
+  }
+
+  template <class T>
+  PlaneTensor<T> stress(const State<T>& state) const {
+    return state.stress;
+  }
+
+  template <class T>
+  PlaneModuli<T> moduli(const State<T>&, const PlaneStressKinematics::Rate<T>&) const {
+    const Parts& parts = detail::LinearSolid<S>::parts(solid);
+    const double G = parts.strength.shear_modulus;
+    return {T(G * (1 + 3 * mean_factor(parts))), T(G)};
+  }
+
+  /// d_zz of the step: tr(stress)/(3 K) is the volume strain, whatever has flowed.
+  template <class T>
+  T normal_rate(const State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt,
+                const PlaneTensor<T>& change) const {
+    const double K3 = 3 * detail::LinearSolid<S>::parts(solid).eos.bulk_modulus;
+    return (1 / (K3 * dt)) * trace(change) - trace(felt(state, rate.rate_of_deformation));
+  }
+
+  template <class T>
+  requires requires(State<T> state) { state.intact; }
+  T intact(const State<T>& state) const { return state.intact; }
+
+ private:
   template <class T, std::size_t n>
   void advance(std::span<State<T>, n> points, std::span<const PlaneStressKinematics::Rate<T>, n> rates,
                double dt) const {
@@ -192,31 +226,6 @@ struct PlaneStress {
     }
   }
 
-  template <class T>
-  PlaneTensor<T> stress(const State<T>& state) const {
-    return state.stress;
-  }
-
-  template <class T>
-  PlaneModuli<T> moduli(const State<T>&, const PlaneStressKinematics::Rate<T>&) const {
-    const Parts& parts = detail::LinearSolid<S>::parts(solid);
-    const double G = parts.strength.shear_modulus;
-    return {T(G * (1 + 3 * mean_factor(parts))), T(G)};
-  }
-
-  /// d_zz of the step: tr(stress)/(3 K) is the volume strain, whatever has flowed.
-  template <class T>
-  T normal_rate(const State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt,
-                const PlaneTensor<T>& change) const {
-    const double K3 = 3 * detail::LinearSolid<S>::parts(solid).eos.bulk_modulus;
-    return (1 / (K3 * dt)) * trace(change) - trace(felt(state, rate.rate_of_deformation));
-  }
-
-  template <class T>
-  requires requires(State<T> state) { state.intact; }
-  T intact(const State<T>& state) const { return state.intact; }
-
- private:
   /// kappa.
   static double mean_factor(const Parts& parts) {
     const double K3 = 3 * parts.eos.bulk_modulus;
