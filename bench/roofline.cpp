@@ -8,18 +8,23 @@
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/element/hex8_full.hpp>
+#include <strike/element/plate4.hpp>
+#include <strike/material/layered.hpp>
+#include <strike/material/plane_stress.hpp>
 
 #include "support/clock.hpp"
 #include "support/counted.hpp"
 #include "support/machine.hpp"
 #include "support/materials.hpp"
 #include "support/squeezed_bar.hpp"
+#include "support/stretched_sheet.hpp"
 #include "support/table.hpp"
 #include <unistd.h>
 
@@ -28,11 +33,20 @@ namespace {
 using namespace strike;
 using namespace bench;
 
-template <class Numbers, class E, class M>
-auto squeezed(const Mesh& mesh, const E& element, const M& material, Numbers numbers) {
-  return Explicit{Scene{mesh.nodes, Part{element, material, mesh.hexahedra}, Squeeze{}}, {}, numbers};
+/// Hexahedra are squeezed, plates stretched and bent.
+template <class E>
+const auto& cells(const Mesh& mesh) {
+  if constexpr (turns_nodes<E>())
+    return mesh.quadrilaterals;
+  else
+    return mesh.hexahedra;
 }
-constexpr int first_step = 5, steps = 15;  // measured are those in which every element yields
+template <class Numbers, class E, class M>
+auto deforming(const Mesh& mesh, const E& element, const M& material, Numbers numbers) {
+  using Deformation = std::conditional_t<turns_nodes<E>(), Stretch, Squeeze>;
+  return Explicit{Scene{mesh.nodes, Part{element, material, cells<E>(mesh)}, Deformation{}}, {}, numbers};
+}
+constexpr int first_step = 8, steps = 15;  // measured are those in which every element yields
 
 template <class Run>
 void begin(Run& run) {
@@ -47,25 +61,26 @@ void measured_steps(Run& run) {
 template <class E>
 struct Apart : E {
   template <class M, class T>
-  [[gnu::noinline]] Response<T, 8> advance(typename E::template State<M, T>& state, const M& material,
-                                           const Nodal<T, 8>& x, const Nodal<T, 8>& v, double dt) const {
+  [[gnu::noinline]] Response<T, motions<E>> advance(typename E::template State<M, T>& state, const M& material,
+                                                    const Nodal<T, E::nodes>& x, const Nodal<T, motions<E>>& v,
+                                                    double dt) const {
     return E::advance(state, material, x, v, dt);
   }
 };
 
-/// What the formulas of an element ask for in a step, the mean over a small bar. What stands in two formulas counts
+/// What the formulas of an element ask for in a step, the mean over a small mesh. What stands in two formulas counts
 /// twice, though the compiler may do it once.
 struct Counts {
   double flops, quotients, roots, functions, selections;
 };
 template <class E, class M>
 Counts counts(const E& element, const M& material) {
-  const Mesh mesh = bar({10, 12, 12});
-  auto run = squeezed(mesh, Apart<E>{element}, material, in<Counted>);
+  const Mesh mesh = turns_nodes<E>() ? sheet({40, 36}) : bar({10, 12, 12});
+  auto run = deforming(mesh, Apart<E>{element}, material, in<Counted>);
   begin(run);
   Counted::done = {};
   measured_steps(run);
-  const auto each = [&](std::size_t n) { return double(n) / double(steps * mesh.hexahedra.size()); };
+  const auto each = [&](std::size_t n) { return double(n) / double(steps * cells<E>(mesh).size()); };
   const Operations& done = Counted::done;
   return {each(done.flops()), each(done.quotients), each(done.roots), each(done.functions), each(done.selections)};
 }
@@ -75,35 +90,46 @@ struct Share {
   double nodes, ghosts;
 };
 
-/// The flops that are no formulas of the element: its forces go to 8 nodes by 3 subtractions each; for each of three
+/// How many pairs of motion and force a node has: velocity and force, and where it turns angular velocity and moment.
+template <class E>
+constexpr int pairs = turns_nodes<E>() ? 2 : 1;
+
+/// The flops that are no formulas of the element: its forces go to its nodes by 3 subtractions each; for each of three
 /// components of a node the kick has seven (4 of them the kinetic energy's) and the drift two; of a ghost the force is
 /// added.
-double flops_around(const Share& share) { return 8 * 3 + 3 * (7 + 2) * share.nodes + 3 * share.ghosts; }
+template <class E>
+double flops_around(const Share& share) {
+  return 3 * motions<E> + 3 * (7 * pairs<E> + 2) * share.nodes + 3 * pairs<E> * share.ghosts;
+}
 
 /// The bytes that one element and its share of the nodes stream in a step. The nodes pass by three times:
 ///   kick    reads v, f, m, writes v
 ///   drift   reads x, v, writes x
-///   deform  reads x, v, writes f; the eight elements at a node meet it in the cache
+///   deform  reads x, v, writes f; the elements at a node meet it in the cache
 /// and if elements work on a copy of other precision, they write its x, v, f, which stay in the cache until they are
 /// done. The ghosts pass by twice, with their indices:
 ///   load          reads x, v of the node, writes x, v, f
 ///   store_ghosts  reads f and that of the node, which it writes
-/// and the elements once: their block is read and of it the state written.
-template <class Part, class T, class Real>
+/// and the elements once: their block is read and of it the state written. Of nodes that turn the angular velocity goes
+/// with v, the moment with f, the inertia with m.
+template <class E, class Part, class T, class Real>
 double bytes(const Share& share) {
   constexpr std::size_t vector = sizeof(Padded<Real>), mass = sizeof(Real), element_vector = sizeof(Padded<RealOf<T>>);
-  constexpr std::size_t copy = sizeof(RealOf<T>) != sizeof(Real) ? 3 * element_vector : 0;
-  constexpr std::size_t node = (3 * vector + mass) + 3 * vector + 3 * vector + copy;
-  constexpr std::size_t ghost = (2 * vector + 3 * element_vector) + (element_vector + 2 * vector) + 4 * sizeof(Index);
+  constexpr std::size_t copied = (1 + 2 * pairs<E>)*element_vector,
+                        copy = sizeof(RealOf<T>) != sizeof(Real) ? copied : 0;
+  constexpr std::size_t kick = pairs<E> * (3 * vector + mass), drift = 3 * vector, deform = (1 + 2 * pairs<E>)*vector;
+  constexpr std::size_t load = (1 + pairs<E>)*vector + copied, store = pairs<E> * (element_vector + 2 * vector);
   constexpr std::size_t block = sizeof(typename Part::Block) + sizeof(typename Part::State);
-  return double(block) / double(Part::width) + double(node) * share.nodes + double(ghost) * share.ghosts;
+  return double(block) / double(Part::width) + double(kick + drift + deform + copy) * share.nodes +
+         double(load + store + 4 * sizeof(Index)) * share.ghosts;
 }
 
 /// The bytes that they occupy.
-template <class Part, class T, class Real>
+template <class E, class Part, class T, class Real>
 double footprint(const Share& share) {
-  constexpr std::size_t ghost = 3 * sizeof(Padded<RealOf<T>>), copy = sizeof(RealOf<T>) != sizeof(Real) ? ghost : 0;
-  constexpr std::size_t node = 3 * sizeof(Padded<Real>) + sizeof(Real) + copy;
+  constexpr std::size_t vectors = 1 + 2 * pairs<E>, ghost = vectors * sizeof(Padded<RealOf<T>>),
+                        copy = sizeof(RealOf<T>) != sizeof(Real) ? ghost : 0,
+                        node = vectors * sizeof(Padded<Real>) + pairs<E> * sizeof(Real) + copy;
   return double(sizeof(typename Part::Block)) / double(Part::width) + double(node) * share.nodes +
          double(ghost) * share.ghosts;
 }
@@ -149,24 +175,25 @@ struct Peaks {
 /// Pairs of element and material on a mesh, which take turns, so that all meet the same moods of the machine.
 class Table {
  public:
-  Table(Mesh mesh, const Peaks& peaks) : mesh_(std::move(mesh)), peaks_(peaks) {}
+  Table(Mesh mesh, std::string title, const Peaks& peaks)
+      : mesh_(std::move(mesh)), title_(std::move(title)), peaks_(peaks) {}
 
   template <class E, class M, class T, class Real>
   void add(const std::string& name, const E& element, const M& material, const Counts& count, In<T, Real> numbers) {
-    using Part = RunningPart<E, M, T, Nodes<Real, RealOf<T>>>;
+    using Part = RunningPart<E, M, T, Nodes<Real, RealOf<T>, turns_nodes<E>()>>;
     constexpr bool in_double = sizeof(RealOf<T>) == sizeof(double), mixed = sizeof(RealOf<T>) != sizeof(Real);
-    const auto start = [=, this] { return squeezed(mesh_, element, material, numbers); };
-    const double elements = double(mesh_.hexahedra.size()), nodes = double(mesh_.nodes.size());
+    const auto start = [=, this] { return deforming(mesh_, element, material, numbers); };
+    const double elements = double(cells<E>(mesh_).size()), nodes = double(mesh_.nodes.size());
     const Share share{nodes / elements, (double(start().nodes().places()) - nodes) / elements};
     lines_.push_back({.name = name,
                       .number = mixed       ? "mixed"
                                 : in_double ? "double"
                                             : "float",
                       .count = count,
-                      .flops = count.flops + flops_around(share),
-                      .bytes = bytes<Part, T, Real>(share),
+                      .flops = count.flops + flops_around<E>(share),
+                      .bytes = bytes<E, Part, T, Real>(share),
                       .peak = in_double ? peaks_.in_double : peaks_.in_float,
-                      .bandwidth = triad(elements * footprint<Part, T, Real>(share)),
+                      .bandwidth = triad(elements * footprint<E, Part, T, Real>(share)),
                       .measure = [=] { return nanoseconds(start, elements); }});
   }
 
@@ -176,7 +203,7 @@ class Table {
   }
 
   void print() const {
-    std::printf("\n%zu hexahedra\n\n%s", mesh_.hexahedra.size(),
+    std::printf("\n%s\n\n%s", title_.c_str(),
                 head({"element, material", "number", "flops", "quotients", "roots", "functions", "selections", "bytes",
                       "ns", "GFLOP/s", "GB/s", "of GB/s", "limit [ns]", "set by", "reached"})
                     .c_str());
@@ -185,6 +212,7 @@ class Table {
 
  private:
   Mesh mesh_;
+  std::string title_;
   Peaks peaks_;
   std::vector<Line> lines_;
 };
@@ -208,10 +236,13 @@ int main() {
   std::printf("triad   %4.0f GB/s from L2, %.0f from L3, %.0f from memory\n", 1e-9 * triad(0.5 * L2),
               1e-9 * triad(std::min(20 * L2, 0.5 * L3)), 1e-9 * triad(4 * L3));
 
-  Table large(bar({40, 50, 50}), peaks), small(bar({5, 6, 45}), peaks);  // the small one stays in L2
+  // The small ones stay in L2.
+  Table hexahedra[] = {{bar({40, 50, 50}), "100000 hexahedra", peaks}, {bar({5, 6, 45}), "1350 hexahedra", peaks}};
+  Table plates[] = {{sheet({400, 250}), "100000 plates", peaks}, {sheet({45, 30}), "1350 plates", peaks}};
   const auto add = [&](const std::string& name, const auto& element, const auto& material, auto... numbers) {
     const Counts count = counts(element, material);
-    for (Table* table : {&large, &small}) (table->add(name, element, material, count, numbers), ...);
+    for (Table& table : turns_nodes<std::decay_t<decltype(element)>>() ? plates : hexahedra)
+      (table.add(name, element, material, count, numbers), ...);
   };
   constexpr auto in_double = in<Pack<double>>;
   constexpr auto in_float = in<Pack<float>>;
@@ -222,5 +253,10 @@ int main() {
   add("Hex8, linear, Johnson-Cook", Hex8{}, Solid{linear, johnson_cook}, in_double, in_float);
   add("Hex8, fluid, cubic", Hex8{}, water, in_double);
   add("Hex8Full, linear, von Mises", Hex8Full{}, Solid{linear, hardening}, in_double, in_float);
-  for (Table* table : {&large, &small}) table->measure(), table->print();
+  const Homogeneous elastic_sheet{PlaneStress{elastic}, sheet_thickness};
+  const Homogeneous copper_sheet{PlaneStress{Solid{linear, hardening}}, sheet_thickness};
+  add("Plate4, elastic", Plate4{}, elastic_sheet, in_double);
+  add("Plate4, von Mises", Plate4{}, copper_sheet, in_double, in_float, mixed);
+  for (Table* tables : {hexahedra, plates})
+    for (int i = 0; i < 2; ++i) tables[i].measure(), tables[i].print();
 }

@@ -26,21 +26,21 @@ Group elements() {
   constexpr ViscousHourglass hourglass;
   constexpr BulkViscosity viscosity;
   return {"Element",
-          {of_element("no hourglass control", Hex8{NoHourglass{}}),
-           of_element("stiffness hourglass control", Hex8{StiffnessHourglass{}}),
-           of_element("Jaumann", Hex8{hourglass, Jaumann{}}),
-           of_element("end of step", Hex8{hourglass, HughesWinget{}, viscosity, EndStep{}}),
-           of_element("Jaumann, end of step", Hex8{hourglass, Jaumann{}, viscosity, EndStep{}}),
-           of_element("no bulk viscosity", Hex8{hourglass, HughesWinget{}, NoBulkViscosity{}}),
-           of_element("the least: no control, Jaumann, no bulk viscosity, end of step",
-                      Hex8{NoHourglass{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}),
-           of_element("Hex8Full, eight points", Hex8Full{})}};
+          {hexahedra.of_element("no hourglass control", Hex8{NoHourglass{}}),
+           hexahedra.of_element("stiffness hourglass control", Hex8{StiffnessHourglass{}}),
+           hexahedra.of_element("Jaumann", Hex8{hourglass, Jaumann{}}),
+           hexahedra.of_element("end of step", Hex8{hourglass, HughesWinget{}, viscosity, EndStep{}}),
+           hexahedra.of_element("Jaumann, end of step", Hex8{hourglass, Jaumann{}, viscosity, EndStep{}}),
+           hexahedra.of_element("no bulk viscosity", Hex8{hourglass, HughesWinget{}, NoBulkViscosity{}}),
+           hexahedra.of_element("the least: no control, Jaumann, no bulk viscosity, end of step",
+                                Hex8{NoHourglass{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}),
+           hexahedra.of_element("Hex8Full, eight points", Hex8Full{})}};
 }
 
 Group ledger() {
   const ExplicitOptions unbalanced{.energy_tolerance = std::numeric_limits<double>::infinity()};
   return {"Energy ledger, always there", {feature("without the works of the elements", [=] {
-            return started(scene(Silent<Hex8<>>{Hex8{}}, copper), unbalanced);
+            return started(hexahedra.scene(Silent<Hex8<>>{Hex8{}}, copper), unbalanced);
           })}};
 }
 

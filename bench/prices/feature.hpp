@@ -8,9 +8,13 @@
 
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
+#include <strike/element/plate4.hpp>
+#include <strike/material/layered.hpp>
+#include <strike/material/plane_stress.hpp>
 
 #include "../support/materials.hpp"
 #include "../support/squeezed_bar.hpp"
+#include "../support/stretched_sheet.hpp"
 
 namespace prices {
 
@@ -39,17 +43,7 @@ struct Group {
   std::vector<Feature> features;
 };
 
-/// Hexahedra of a millimetre, 100,000 of them.
-inline const Mesh mesh = bench::bar({40, 50, 50});
-inline const Solid copper{bench::linear, bench::hardening};
-
-/// The squeezed bar and `things` beside it.
-template <class E, class M, class... Things>
-auto scene(const E& element, const M& material, const Things&... things) {
-  return Scene{mesh.nodes, Part{element, material, mesh.hexahedra}, things..., bench::Squeeze{}};
-}
-
-/// A run of it, shared by the functions that a Trial consists of.
+/// A run of a scene, shared by the functions that a Trial consists of.
 template <class Scene, class... Policies>
 auto started(const Scene& scene, const ExplicitOptions& options = {}, const Policies&... policies) {
   using Run = decltype(Explicit{scene, options, policies...});
@@ -63,7 +57,7 @@ double bytes(const Run& run) {
   return static_cast<double>(sizeof(typename Part::Block)) / static_cast<double>(Part::width);
 }
 
-// Features by what differs: all of the run, the material, the element, what stands in the scene, or the policies.
+/// A feature by all of its run.
 template <class Start>
 Feature feature(std::string name, Start start) {
   return {std::move(name), [start]() -> Trial {
@@ -72,27 +66,54 @@ Feature feature(std::string name, Start start) {
           }};
 }
 
-inline Feature usual(std::string name) {
-  return feature(std::move(name), [] { return started(scene(Hex8{}, copper)); });
-}
-template <class M>
-Feature of_material(std::string name, const M& material) {
-  return feature(std::move(name), [=] { return started(scene(Hex8{}, material)); });
-}
-template <class E>
-Feature of_element(std::string name, const E& element) {
-  return feature(std::move(name), [=] { return started(scene(element, copper)); });
-}
-template <class... Things>
-Feature with(std::string name, const Things&... things) {
-  return feature(std::move(name), [=] { return started(scene(Hex8{}, copper, things...)); });
-}
-template <class... Policies>
-Feature by(std::string name, const Policies&... policies) {
-  return feature(std::move(name), [=] { return started(scene(Hex8{}, copper), {}, policies...); });
-}
+/// What is usual, and features by what differs: the material, the element, what stands in the scene, or the policies.
+template <class E, class M, std::size_t n, class Motion>
+struct Usual {
+  std::vector<Eigen::Vector3d> nodes;
+  Cells<n> cells;
+  E element;
+  M material;
+  Motion motion;
 
-// The groups, some to a file.
+  template <class Element, class Material, class... Things>
+  auto scene(const Element& e, const Material& m, const Things&... things) const {
+    return Scene{nodes, Part{e, m, cells}, things..., motion};
+  }
+  auto scene() const { return scene(element, material); }
+
+  Feature itself(std::string name) const {
+    return feature(std::move(name), [this] { return started(scene()); });
+  }
+  template <class Material>
+  Feature of_material(std::string name, const Material& m) const {
+    return feature(std::move(name), [=, this] { return started(scene(element, m)); });
+  }
+  template <class Element>
+  Feature of_element(std::string name, const Element& e) const {
+    return feature(std::move(name), [=, this] { return started(scene(e, material)); });
+  }
+  template <class... Things>
+  Feature with(std::string name, const Things&... things) const {
+    return feature(std::move(name), [=, this] { return started(scene(element, material, things...)); });
+  }
+  template <class... Policies>
+  Feature by(std::string name, const Policies&... policies) const {
+    return feature(std::move(name), [=, this] { return started(scene(), {}, policies...); });
+  }
+};
+
+inline const Solid copper{bench::linear, bench::hardening};
+
+/// 100,000 hexahedra, squeezed.
+inline const Mesh bar = bench::bar({40, 50, 50});
+inline const Usual hexahedra{bar.nodes, bar.hexahedra, Hex8{}, copper, bench::Squeeze{}};
+
+/// 100,000 plates, stretched and bent.
+inline const Mesh sheet = bench::sheet({400, 250});
+inline const Usual plates{sheet.nodes, sheet.quadrilaterals, Plate4{},
+                          Homogeneous{PlaneStress{copper}, bench::sheet_thickness}, bench::Stretch{}};
+
+// The groups, some to a file: of hexahedra, ...
 Group strengths();
 Group failures();
 Group equations_of_state();
@@ -101,5 +122,12 @@ Group numbers();
 Group conditions();
 Group outputs();
 Group ledger();
+
+// ... and of plates.
+Group plate_sections();
+Group plate_shears();
+Group plate_materials();
+Group plate_elements();
+Group plate_numbers();
 
 }  // namespace prices

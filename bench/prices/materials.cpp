@@ -8,26 +8,29 @@ using namespace bench;
 
 Group strengths() {
   return {"Strength",
-          {of_material("none: elastic", elastic),
-           of_material("none: a Solid with ElasticStrength", Solid{linear, ElasticStrength{.shear_modulus = 43.3e9}}),
-           of_material("VonMises, perfectly plastic", Solid{linear, perfectly_plastic}),
-           of_material("RateVonMises", Solid{linear, rate_dependent}),
-           of_material("JohnsonCook, with its temperature", Solid{linear, johnson_cook})}};
+          {hexahedra.of_material("none: elastic", elastic),
+           hexahedra.of_material("none: a Solid with ElasticStrength",
+                                 Solid{linear, ElasticStrength{.shear_modulus = 43.3e9}}),
+           hexahedra.of_material("VonMises, perfectly plastic", Solid{linear, perfectly_plastic}),
+           hexahedra.of_material("RateVonMises", Solid{linear, rate_dependent}),
+           hexahedra.of_material("JohnsonCook, with its temperature", Solid{linear, johnson_cook})}};
 }
 
 Group failures() {
   return {"Failure",
-          {of_material("UltimateStress", Solid{linear, hardening, UltimateStress{.ultimate_stress = 1e12}}),
-           of_material("FailureStrain", Solid{linear, hardening, FailureStrain{.failure_strain = 100}}),
-           of_material("none, given as NoFailure", Solid{linear, hardening, NoFailure{}})}};
+          {hexahedra.of_material("UltimateStress", Solid{linear, hardening, UltimateStress{.ultimate_stress = 1e12}}),
+           hexahedra.of_material("FailureStrain", Solid{linear, hardening, FailureStrain{.failure_strain = 100}}),
+           hexahedra.of_material("none, given as NoFailure", Solid{linear, hardening, NoFailure{}})}};
 }
 
 Group equations_of_state() {
   return {"Equation of state",
-          {of_material("PolynomialEos, with energy", Solid{PolynomialEos{.density = 8930, .C1 = 130e9}, hardening}),
-           of_material("GruneisenEos, with energy", Solid{gruneisen, hardening}), of_material("fluid, CubicEos", water),
-           of_material("fluid, CubicEos, Newtonian", Fluid{water.eos, Newtonian{.viscosity = 1e-3}}),
-           of_material("fluid, IdealGas, with energy", air)}};
+          {hexahedra.of_material("PolynomialEos, with energy",
+                                 Solid{PolynomialEos{.density = 8930, .C1 = 130e9}, hardening}),
+           hexahedra.of_material("GruneisenEos, with energy", Solid{gruneisen, hardening}),
+           hexahedra.of_material("fluid, CubicEos", water),
+           hexahedra.of_material("fluid, CubicEos, Newtonian", Fluid{water.eos, Newtonian{.viscosity = 1e-3}}),
+           hexahedra.of_material("fluid, IdealGas, with energy", air)}};
 }
 
 }  // namespace prices

@@ -1,8 +1,8 @@
 // What each feature adds to the step of the whole driver: the usual scene and one that differs in one thing take turns,
 // so that both meet the same moods of the machine. A new feature is a line in a file beside this one.
 //
-//   OMP_PROC_BIND=true build/bench/bench/prices          all, some two minutes; the threads on cores of their own
-//   build/bench/bench/prices only=threads rounds=3       features whose names contain a word, less to rely on
+//   OMP_PROC_BIND=true build/bench/bench/prices          all, some four minutes; the threads on cores of their own
+//   build/bench/bench/prices only=threads rounds=3       features or groups whose names contain a word, less to rely on
 //
 // Written into out/prices: prices.md and what the features of output write.
 #include <cstdio>
@@ -41,7 +41,7 @@ Price price(const Feature& feature, const Feature& usual, std::size_t rounds, st
       };
       return (feature.timed_by == TimedBy::wall ? wall_seconds(steps) : cpu_seconds(steps)) / feature.steps;
     };
-    for (int i = 0; i < 3; ++i) with.step(), without.step();
+    for (int i = 0; i < 8; ++i) with.step(), without.step();  // until they yield
     const double first = turn(without), theirs = turn(with) + turn(with), last = turn(without);
     ratios.push_back(theirs / (first + last));
     usual_seconds.insert(usual_seconds.end(), {first, last});
@@ -54,23 +54,67 @@ constexpr const char* introduction = R"(# What does each feature cost?
 
     cmake --workflow --preset bench && OMP_PROC_BIND=true build/bench/bench/prices out=docs/prices.md
 
-The usual is a bar of 100 000 `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at
-mid-step, bulk viscosity) of copper with `LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core,
-squeezed so that every element yields. Each row differs from it in one thing. Both begin anew several times and take
-turns of some steps. Given are the median of the ratios of their times, half the range of the middle half of these
-ratios, and what that is in time where the usual takes its own median. Bytes are those that an element stores, with the
-numbers of its eight nodes.
+Each row differs from the usual in one thing. Both begin anew several times and take turns of some steps. Given are the
+median of the ratios of their times, half the range of the middle half of these ratios, and what that is in time where
+the usual takes its own median. Bytes are those that an element stores, with the numbers of its nodes.
 )";
 
-/// The groups that are left of all if features must have a word in their names.
-std::vector<Group> groups(const std::string& word) {
-  std::vector<Group> groups{{"The usual", {usual("the usual against itself")}}};
-  for (const auto& group : {strengths, failures, equations_of_state, elements, numbers, conditions, outputs, ledger})
-    groups.push_back(group());
-  for (Group& group : groups)
-    std::erase_if(group.features, [&](const Feature& f) { return f.name.find(word) == std::string::npos; });
-  std::erase_if(groups, [](const Group& group) { return group.features.empty(); });
-  return groups;
+/// Groups that differ from the same usual, of so many elements.
+struct Chapter {
+  std::string introduction;
+  Feature usual;
+  std::size_t elements;
+  std::vector<Group> groups;
+};
+
+std::vector<Chapter> all() {
+  return {{R"(
+## Hexahedra
+
+The usual is a bar of 100 000 `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at
+mid-step, bulk viscosity) of copper with `LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core,
+squeezed so that every element yields.
+)",
+           hexahedra.itself("the usual"),
+           hexahedra.cells.size(),
+           {{"The usual", {hexahedra.itself("the usual against itself")}},
+            strengths(),
+            failures(),
+            equations_of_state(),
+            elements(),
+            numbers(),
+            conditions(),
+            outputs(),
+            ledger()}},
+          {R"(
+## Plates
+
+The usual is a sheet of 100 000 `Plate4{}` (hourglass control, the warping of Belytschko, Wong and Chiang, constant
+thickness, drilling stiffness) of one layer with Simpson's five points, of the same copper in plane stress, in
+`Pack<double>`, on one core, stretched and bent so that every point yields.
+)",
+           plates.itself("the usual"),
+           plates.cells.size(),
+           {{"The usual plate", {plates.itself("the usual plate against itself")}},
+            plate_sections(),
+            plate_shears(),
+            plate_materials(),
+            plate_elements(),
+            plate_numbers()}}};
+}
+
+/// What is left of all if the titles of groups or the names of features must have a word in them.
+std::vector<Chapter> chosen(const std::string& word) {
+  const auto lacks = [&](const std::string& name) { return name.find(word) == std::string::npos; };
+  std::vector<Chapter> chapters = all();
+  for (Chapter& chapter : chapters) {
+    for (Group& group : chapter.groups)
+      if (lacks(group.title)) std::erase_if(group.features, [&](const Feature& f) { return lacks(f.name); });
+    std::erase_if(chapter.groups, [](const Group& group) { return group.features.empty(); });
+  }
+  std::erase_if(chapters, [](const Chapter& chapter) { return chapter.groups.empty(); });
+  if (chapters.empty()) throw Error(strike::detail::joined({"No group or feature has '", word, "' in its name."}));
+  return chapters;
 }
 
 /// A group where the usual takes so many nanoseconds.
@@ -92,24 +136,24 @@ int main(int count, char** arguments) {
     const std::size_t rounds = options.count("rounds", 7);
     options.check();
 
-    const Feature baseline = usual("the usual");
-    const std::vector<Group> chosen = groups(word);
-    std::vector<std::vector<Price>> prices;
-    std::vector<double> usual_seconds;
-    for (const Group& group : chosen) {
-      prices.emplace_back();
-      for (const Feature& feature : group.features) {
-        const Price& p = prices.back().emplace_back(price(feature, baseline, rounds, usual_seconds));
-        std::printf("%-64s %5.0f B  %.3f +- %.3f\n", feature.name.c_str(), p.bytes, p.ratio, p.spread);
-        std::fflush(stdout);
-      }
-    }
-    if (chosen.empty()) throw Error(strike::detail::joined({"No feature has '", word, "' in its name."}));
-
-    const double ns = 1e9 * median(usual_seconds) / static_cast<double>(mesh.hexahedra.size());
     std::string text = introduction;
-    for (std::size_t i = 0; i < chosen.size(); ++i) text += "\n" + markdown(chosen[i], prices[i], ns);
+    for (const Chapter& chapter : chosen(word)) {
+      std::vector<std::vector<Price>> prices;
+      std::vector<double> usual_seconds;
+      for (const Group& group : chapter.groups) {
+        prices.emplace_back();
+        for (const Feature& feature : group.features) {
+          const Price& p = prices.back().emplace_back(price(feature, chapter.usual, rounds, usual_seconds));
+          std::printf("%-64s %5.0f B  %.3f +- %.3f\n", feature.name.c_str(), p.bytes, p.ratio, p.spread);
+          std::fflush(stdout);
+        }
+      }
+      const double ns = 1e9 * median(usual_seconds) / static_cast<double>(chapter.elements);
+      text += chapter.introduction;
+      for (std::size_t i = 0; i < prices.size(); ++i) text += "\n" + markdown(chapter.groups[i], prices[i], ns);
+      std::printf("The usual: %.1f ns per element and step.\n\n", ns);
+    }
     strike::detail::replace_file(path, text);
-    std::printf("\nThe usual: %.1f ns per element and step. Written: %s\n", ns, path.c_str());
+    std::printf("Written: %s\n", path.c_str());
   });
 }

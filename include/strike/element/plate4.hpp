@@ -109,7 +109,7 @@ struct Plate4 {
     const T A = Plate4Frame<T>(m.xi, m.eta).area;
     state.inverse_area = 1.0 / A;
     const T mass = (0.25 * material.density()) * A;
-    return {mass, mass * gyration_squared(material, A)};
+    return {mass, mass / per_gyration(material, state.inverse_area)};
   }
 
   /// `v` has the velocities of the four nodes, and behind them their angular velocities.
@@ -201,11 +201,11 @@ struct Plate4 {
                         drilling_controlled = !std::is_same_v<Drilling, FreeDrilling>,
                         drills = Warping::drills || drilling_controlled;
 
-  /// Moment of inertia per mass: that of the section, but not so little that the rotations and not the membrane would
-  /// limit the step, A/8 (after Hughes, Cohen and Haroun 1978).
+  /// Mass per moment of inertia: that of the section, but not so much that the rotations and not the membrane would
+  /// limit the step, 8/A (after Hughes, Cohen and Haroun 1978).
   template <class Section, class T>
-  static T gyration_squared(const Section& material, const T& A) {
-    return max(T(material.rotary_inertia() / material.density()), 0.125 * A);
+  static T per_gyration(const Section& material, const T& inverse_area) {
+    return min(T(material.density() / material.rotary_inertia()), 8.0 * inverse_area);
   }
 
   template <class Section, class S, class T>
@@ -314,7 +314,7 @@ struct Plate4 {
                   const PlateHourglassStiffness<T>& control, const T& drilling_stiffness, const PlaneTensor<T>& S,
                   const T& A, const T& z, const Vector2<T>& h, const Vector2<T>& p) const {
     const T per_mass = (4.0 / material.density()) * state.inverse_area;
-    const T per_gyration = 1.0 / gyration_squared(material, T(1.0 / state.inverse_area));  // m/I
+    const T per_gyration = this->per_gyration(material, state.inverse_area);  // m/I
     const T L1 = largest_eigenvalue(S), trace_S = trace(S);
     const T l = warping.lever(z);
     const auto both = [&](const T& a, const T& b, const T& c) -> T {

@@ -322,16 +322,23 @@ class Layered {
     Resultants<T> sum;
     each_layer(state, [&](const auto& material, const auto& numbers, auto& own) {
       [[maybe_unused]] T work = T(0.0), elastic_work = T(0.0);
-      for (std::size_t i = 0; i < own.points.size(); ++i) {
-        auto& point = own.points[i];
+      constexpr std::size_t n = std::tuple_size_v<std::remove_cvref_t<decltype(own.points)>>;
+      std::array<PlaneStressKinematics::Rate<T>, n> strained;
+      std::array<PlaneTensor<T>, n> before;
+      for (std::size_t i = 0; i < n; ++i) {
+        strained[i] = {rate.membrane + T(numbers.z[i]) * curvature};
+        before[i] = material.stress(std::as_const(own.points[i]));
+      }
+      const std::array<PlaneTensor<T>, n> after = stresses(material, own.points, strained, dt);
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto& point = own.points[i];
         const T z = T(numbers.z[i]), weight = T(numbers.weight[i]);
-        const PlaneStressKinematics::Rate<T> strained{rate.membrane + z * curvature};
-        const PlaneTensor<T> before = material.stress(std::as_const(point));
-        const PlaneTensor<T> sigma = material.stress(point, strained, dt), change = sigma - before;
+        const PlaneTensor<T>& sigma = after[i];
+        const PlaneTensor<T> change = sigma - before[i];
         sum.add(z, weight, sigma);
-        sum.normal_rate += weight * material.normal_rate(std::as_const(point), strained, dt, change);
+        sum.normal_rate += weight * material.normal_rate(point, strained[i], dt, change);
         if constexpr (instantaneous) {
-          const PlaneTensor<T> e = T(dt) * strained.rate_of_deformation;
+          const PlaneTensor<T> e = T(dt) * strained[i].rate_of_deformation;
           const double Q = numbers.elastic.moduli.normal, G = numbers.elastic.moduli.shear;
           work += weight * double_dot(change, e);
           elastic_work += weight * ((Q - 2 * G) * (trace(e) * trace(e)) + (2 * G) * double_dot(e, e));
@@ -418,6 +425,19 @@ class Layered {
       return {stretch * force, (stretch * stretch) * moment, shear, per_thickness * normal_rate};
     }
   };
+
+  /// Of the points of a layer, at once where its material can.
+  template <class M, class P, class T, std::size_t n>
+  static std::array<PlaneTensor<T>, n> stresses(const M& material, std::array<P, n>& points,
+                                                const std::array<PlaneStressKinematics::Rate<T>, n>& rates, double dt) {
+    if constexpr (requires { material.stresses(points, rates, dt); }) {
+      return material.stresses(points, rates, dt);
+    } else {
+      std::array<PlaneTensor<T>, n> stresses;
+      for (std::size_t i = 0; i < n; ++i) stresses[i] = material.stress(points[i], rates[i], dt);
+      return stresses;
+    }
+  }
 
   template <std::size_t i>
   const auto& layer() const {

@@ -1,6 +1,9 @@
 #pragma once
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 
 #include <strike/material/elastic.hpp>
@@ -32,60 +35,85 @@ requires(FlowLaw<Law> || std::same_as<Law, ElasticStrength>) struct LinearSolid<
   static const Parts& parts(const Parts& solid) { return solid; }
 };
 
-/// What is left of a plane trial stress, of its shear and of its mean, after the plastic increment.
+/// The shares of the mean and of the shear in the square of a trial q; and what is left of them by the return of
+/// PlaneStress, after the plastic increment.
 template <class T>
 struct PlaneReturn {
-  T shear, mean, plastic_increment;
+  T m, d;
+  T mean{1.0}, shear{1.0}, plastic_increment{0.0};
 };
 
-/// The return of PlaneStress: m and d are the shares of the mean and of the shear in the square of the trial q.
-template <FlowLaw S, class State, class T>
-PlaneReturn<T> plane_return(const S& law, const State& state, const T& m, const T& d, double kappa, double dt) {
+/// The returns at the n points of a layer, side by side, for each is a long chain of dependent operations.
+template <FlowLaw S, class State, class T, std::size_t n>
+void plane_return(const S& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns, double kappa,
+                  double dt) {
   using D = Dual<T, 1>;
   using Real = RealOf<T>;
   constexpr double epsilon = std::numeric_limits<Real>::epsilon();
   constexpr double least = sizeof(Real) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
   const double G3 = 3.0 * law.shear_modulus;
-  const T& e = state.equivalent_plastic_strain;
-  if constexpr (RateIndependentFlow<S> && requires { law.plastic_increment(m, e, dt); }) {
-    // p [kappa + (1 - kappa) t(Q(p))] = 1 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa. With linear hardening f is
-    // convex and falls, so that Newton's steps go up to the root and never past it.
-    T p = T(1.0), lower = T(1.0), upper = T(1.0 / kappa);
-    PlaneReturn<T> left{T(1.0), T(1.0), T(0.0)};
-    for (int i = 0; i < 50; ++i) {
-      const D P = D::variable(p, 0), Q2 = max(D(least), d + m * P * P), per_Q = rsqrt(Q2);
-      const D dl = law.plastic_increment(D(Q2 * per_Q), D(e), dt);
-      if (i == 0 && !any(dl.value() > 0.0)) break;
-      const D t = 1.0 - G3 * dl * per_Q, f = (1.0 - kappa * P) - (1.0 - kappa) * P * t;
-      lower = select(f.value() >= 0.0, p, lower);
-      upper = select(f.value() >= 0.0, upper, p);
-      const T newton = p - f.value() / f.derivative(0);
-      const T next = select(newton >= lower && newton <= upper, newton, 0.5 * (lower + upper));
-      const T step = next - p;
-      p = next;
-      const T t_next = t.value() + t.derivative(0) * step;
-      left = {t_next, t_next * next, dl.value() + dl.derivative(0) * step};
-      if (!any(step * step > epsilon)) break;
+  if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); }) {
+    // f = 1 - p [kappa + (1 - kappa) t(Q(p))] = 0 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa, by Chebyshev's steps of
+    // third order, n - n^2 f''/(2 f') with Newton's n. Q' = Q b/p and Q'' = Q b (1 - b)/p^2 in the share of the mean
+    // b = m p^2/Q^2; hardening is nearly linear in a step, dl'' = 0.
+    bool yields = false;
+    for (std::size_t k = 0; k < n; ++k) {
+      const T Q2 = max(T(least), returns[k].d + returns[k].m);
+      yields |= any(law.plastic_increment(T(Q2 * rsqrt(Q2)), states[k].equivalent_plastic_strain, dt) > 0.0);
     }
-    return left;
+    struct Search {
+      T p, lower, upper;
+    };
+    std::array<Search, n> searches;
+    searches.fill({T(1.0), T(1.0), T(1.0 / kappa)});
+    for (int i = 0; yields && i < 50; ++i) {
+      yields = false;
+      for (std::size_t k = 0; k < n; ++k) {
+        auto& [m, d, mean, shear, plastic_increment] = returns[k];
+        auto& [p, lower, upper] = searches[k];
+        const T Q2 = max(T(least), d + m * p * p), per_Q = rsqrt(Q2), Q = Q2 * per_Q;
+        const D dl = law.plastic_increment(D::variable(Q, 0), D(states[k].equivalent_plastic_strain), dt);
+        const T curvature = m * per_Q * per_Q, slope = curvature * p, b = slope * p;  // Q'/Q = slope
+        const T t = 1.0 - G3 * dl.value() * per_Q, y = 1.0 - t - G3 * dl.derivative(0), dt_dp = y * slope;
+        const T f = (1.0 - kappa * p) - (1.0 - kappa) * p * t,
+                per_df = -1.0 / (kappa + (1.0 - kappa) * (t + p * dt_dp));
+        const T newton = -f * per_df;
+        T next = p + newton * (1.0 + (1.5 * (1.0 - kappa)) * newton * per_df * dt_dp * (1.0 - b));
+        if (i > 2) {  // softening may lead astray
+          lower = select(f >= 0.0, p, lower);
+          upper = select(f >= 0.0, upper, p);
+          next = select(next >= lower && next <= upper, next, 0.5 * (lower + upper));
+        }
+        const T step = next - p, dQ = Q * (step * slope + 0.5 * step * step * curvature * (1.0 - b));
+        p = next;
+        shear = t + step * (dt_dp + 0.5 * step * y * curvature * (1.0 - 3.0 * b));
+        mean = shear * p;
+        plastic_increment = dl.value() + dl.derivative(0) * dQ;
+        yields |= any(abs(step) * step * step > 8.0 * epsilon);
+      }
+    }
   } else {
-    const T Q2 = max(T(least), d + m), Q = Q2 * rsqrt(Q2);
-    const T excess = Q - flow_stress<S, T>(law, state, e, T(0.0));
-    const auto yields = excess > 0.0;
-    if (!(dt > 0) || !any(yields)) return {T(1.0), T(1.0), T(0.0)};
-    // In x = 1 - t = 3 G dl/Q.
-    const auto trial = [&](const auto& x) {
-      using U = std::decay_t<decltype(x)>;
-      const U p = 1.0 / (1.0 - (1.0 - kappa) * x);
-      return U(sqrt(max(U(least), d + m * p * p)));
-    };
-    const auto residual = [&](const D& x) -> D {
-      const D Q_x = trial(x), dl = (1.0 / G3) * Q_x * x;
-      return Q_x - Q_x * x - flow_stress<S, D>(law, state, e + dl, (1.0 / dt) * dl);
-    };
-    T x = falling_root<T>(residual, select(yields, T(excess / Q), T(0.5)), yields, T(32.0 * epsilon) * Q);
-    x = select(yields, x, T(0.0));
-    return {1.0 - x, (1.0 - x) / (1.0 - (1.0 - kappa) * x), (1.0 / G3) * trial(x) * x};
+    for (std::size_t k = 0; k < n; ++k) {
+      auto& [m_, d_, mean, shear, plastic_increment] = returns[k];
+      const T &m = m_, &d = d_, &e = states[k].equivalent_plastic_strain;
+      const T Q2 = max(T(least), d + m), Q = Q2 * rsqrt(Q2);
+      const T excess = Q - flow_stress<S, T>(law, states[k], e, T(0.0));
+      const auto yields = excess > 0.0;
+      if (!(dt > 0) || !any(yields)) continue;
+      // In x = 1 - t = 3 G dl/Q.
+      const auto trial = [&](const auto& x) {
+        using U = std::decay_t<decltype(x)>;
+        const U p = 1.0 / (1.0 - (1.0 - kappa) * x);
+        return U(sqrt(max(U(least), d + m * p * p)));
+      };
+      const auto residual = [&](const D& x) -> D {
+        const D Q_x = trial(x), dl = (1.0 / G3) * Q_x * x;
+        return Q_x - Q_x * x - flow_stress<S, D>(law, states[k], e + dl, (1.0 / dt) * dl);
+      };
+      T x = falling_root<T>(residual, select(yields, T(excess / Q), T(0.5)), yields, T(32.0 * epsilon) * Q);
+      x = select(yields, x, T(0.0));
+      shear = 1.0 - x, mean = (1.0 - x) / (1.0 - (1.0 - kappa) * x), plastic_increment = (1.0 / G3) * trial(x) * x;
+    }
   }
 }
 
@@ -127,28 +155,17 @@ struct PlaneStress {
 
   template <class T>
   PlaneTensor<T> stress(State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt) const {
-    const Parts& parts = detail::LinearSolid<S>::parts(solid);
-    const double G = parts.strength.shear_modulus, kappa = mean_factor(parts);
-    const PlaneTensor<T> d = T(dt) * felt(state, rate.rate_of_deformation);
-    const PlaneTensor<T>& old = state.stress;
-    T s = trace(old) + (6.0 * G * kappa) * trace(d), r = old.xx - old.yy + (2.0 * G) * (d.xx - d.yy);
-    T xy = old.xy + (2.0 * G) * d.xy;
-    [[maybe_unused]] T dl = T(0.0);
-    if constexpr (FlowLaw<Law>) {
-      const T m = 0.25 * s * s, shear = 0.75 * r * r + 3.0 * xy * xy;
-      const auto left = detail::plane_return(parts.strength, state, m, shear, kappa, dt);
-      s = left.mean * s, r = left.shear * r, xy = left.shear * xy;
-      dl = left.plastic_increment;
-      state.equivalent_plastic_strain += dl;
-    }
-    state.stress = {0.5 * (s + r), 0.5 * (s - r), xy};
-    if constexpr (ThermalFlow<Law>)
-      state.temperature_rise += parts.strength.heating * equivalent_stress(state.stress) * dl;
-    if constexpr (requires { state.intact; }) {
-      state.intact = select(parts.failure.fails(equivalent_stress(state.stress), state), T(0.0), state.intact);
-      state.stress = select(state.intact > 0.0, state.stress, PlaneTensor<T>{});
-    }
+    advance<T, 1>(std::span<State<T>, 1>(&state, 1), std::span<const PlaneStressKinematics::Rate<T>, 1>(&rate, 1), dt);
     return state.stress;
+  }
+  /// The same of n points at once, which takes less time.
+  template <class T, std::size_t n>
+  std::array<PlaneTensor<T>, n> stresses(std::array<State<T>, n>& points,
+                                         const std::array<PlaneStressKinematics::Rate<T>, n>& rates, double dt) const {
+    advance<T, n>(points, rates, dt);
+    std::array<PlaneTensor<T>, n> stresses;
+    for (std::size_t k = 0; k < n; ++k) stresses[k] = points[k].stress;
+    return stresses;
   }
 
   template <class T>
@@ -176,6 +193,39 @@ struct PlaneStress {
   T intact(const State<T>& state) const { return state.intact; }
 
  private:
+  template <class T, std::size_t n>
+  void advance(std::span<State<T>, n> points, std::span<const PlaneStressKinematics::Rate<T>, n> rates,
+               double dt) const {
+    const Parts& parts = detail::LinearSolid<S>::parts(solid);
+    const double G = parts.strength.shear_modulus, kappa = mean_factor(parts);
+    [[maybe_unused]] std::array<detail::PlaneReturn<T>, n> returns;
+    for (std::size_t k = 0; k < n; ++k) {
+      PlaneTensor<T>& stress = points[k].stress;
+      const PlaneTensor<T> d = T(dt) * felt(points[k], rates[k].rate_of_deformation);
+      const T s = trace(stress) + (6.0 * G * kappa) * trace(d), r = stress.xx - stress.yy + (2.0 * G) * (d.xx - d.yy);
+      stress = {0.5 * (s + r), 0.5 * (s - r), stress.xy + (2.0 * G) * d.xy};
+      if constexpr (FlowLaw<Law>) returns[k] = {.m = 0.25 * s * s, .d = 0.75 * r * r + 3.0 * stress.xy * stress.xy};
+    }
+    if constexpr (FlowLaw<Law>) {
+      detail::plane_return<Law, State<T>, T, n>(parts.strength, points, returns, kappa, dt);
+      for (std::size_t k = 0; k < n; ++k) {
+        State<T>& state = points[k];
+        const detail::PlaneReturn<T>& left = returns[k];
+        const T s = left.mean * trace(state.stress), r = left.shear * (state.stress.xx - state.stress.yy);
+        state.stress = {0.5 * (s + r), 0.5 * (s - r), left.shear * state.stress.xy};
+        state.equivalent_plastic_strain += left.plastic_increment;
+        if constexpr (ThermalFlow<Law>)
+          state.temperature_rise += parts.strength.heating * equivalent_stress(state.stress) * left.plastic_increment;
+      }
+    }
+    for (State<T>& state : points) {
+      if constexpr (requires { state.intact; }) {
+        state.intact = select(parts.failure.fails(equivalent_stress(state.stress), state), T(0.0), state.intact);
+        state.stress = select(state.intact > 0.0, state.stress, PlaneTensor<T>{});
+      }
+    }
+  }
+
   /// kappa.
   static double mean_factor(const Parts& parts) {
     const double K3 = 3 * parts.eos.bulk_modulus;

@@ -1,0 +1,71 @@
+#include "feature.hpp"
+
+namespace prices {
+
+namespace {
+
+using namespace bench;
+
+constexpr double h = sheet_thickness;
+const PlaneStress plane{copper};
+
+/// One layer of another rule, shear policy or offset.
+template <class... Options>
+Feature section(std::string name, const Options&... options) {
+  return plates.of_material(std::move(name), Homogeneous{plane, h, options...});
+}
+/// One layer of another material.
+template <class M>
+Feature of(std::string name, const M& material) {
+  return plates.of_material(std::move(name), Homogeneous{material, h});
+}
+
+}  // namespace
+
+Group plate_sections() {
+  const Layer half{plane, h / 2}, third{plane, h / 3};
+  return {
+      "Plates: points and layers",
+      {section("Simpson<3>", Simpson<3>{}), section("Simpson<7>", Simpson<7>{}), section("Simpson<9>", Simpson<9>{}),
+       section("Gauss<5>", Gauss<5>{}), plates.of_material("2 layers of five points", Layered{half, half}),
+       plates.of_material("3 layers of five points", Layered{third, third, third}),
+       plates.of_material("3 Plies of five points", Layered{Plies{third, 3}}),
+       section("Offset", Simpson<5>{}, Offset{h / 2})}};
+}
+
+Group plate_shears() {
+  return {"Plates: transverse shear",
+          {section("FiveSixthsShear", Simpson<5>{}, FiveSixthsShear{}),
+           section("EffectiveShear", Simpson<5>{}, EffectiveShear{.length = 0.1}),
+           section("InstantaneousShear", Simpson<5>{}, InstantaneousShear{})}};
+}
+
+Group plate_materials() {
+  return {"Plates: material",
+          {of("elastic", PlaneStress{elastic}),
+           of("VonMises, perfectly plastic", PlaneStress{Solid{linear, perfectly_plastic}}),
+           of("RateVonMises", PlaneStress{Solid{linear, rate_dependent}}),
+           of("FailureStrain", PlaneStress{Solid{linear, hardening, FailureStrain{.failure_strain = 100}}})}};
+}
+
+Group plate_elements() {
+  constexpr PlateHourglass hourglass;
+  constexpr BelytschkoWongChiang warping;
+  constexpr ConstantThickness constant;
+  return {"Plates: element",
+          {plates.of_element("no hourglass control", Plate4{NoPlateHourglass{}}),
+           plates.of_element("NoWarping", Plate4{hourglass, NoWarping{}}),
+           plates.of_element("RigidOffset", Plate4{hourglass, RigidOffset{}}),
+           plates.of_element("ThicknessChange", Plate4{hourglass, warping, ThicknessChange{}}),
+           plates.of_element("FreeDrilling", Plate4{hourglass, warping, constant, FreeDrilling{}}),
+           plates.of_element("the least: no control, NoWarping, FreeDrilling",
+                             Plate4{NoPlateHourglass{}, NoWarping{}, constant, FreeDrilling{}})}};
+}
+
+Group plate_numbers() {
+  return {"Plates: numbers",
+          {plates.by("double, one lane", in<double>), plates.by("Pack<float>", in<Pack<float>>),
+           plates.by("mixed: Pack<float> in the elements, double at the nodes", in<Pack<float>, double>)}};
+}
+
+}  // namespace prices
