@@ -67,7 +67,7 @@ struct ZeroNormalStress {
       const T theta = dt * trace(D) + a;
       state = before;
       state.relative_volume = before.relative_volume * ((1.0 + 0.5 * theta) / (1.0 - 0.5 * theta));
-      state.normal_rate = (1.0 / dt) * a;
+      state.normal_rate = (dt > 0 ? 1.0 / dt : 0.0) * a;
       sigma = solid.stress(inner(state), {{D.xx, D.yy, state.normal_rate, D.xy, T(0.0), T(0.0)}, state.relative_volume},
                            dt);
       return sigma.zz;
