@@ -27,6 +27,7 @@ const Solid copper{bench::linear, bench::hardening};
 
 template <class Run>
 void steps(benchmark::State& state, Run run, std::size_t elements) {
+  for (int i = 0; i < 8; ++i) run.step();  // until they yield
   for (auto _ : state) run.step();
   state.counters["per_element"] = benchmark::Counter(
       static_cast<double>(elements), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
