@@ -101,6 +101,8 @@ struct Usual {
     return feature(std::move(name), [=, this] { return started(scene(), {}, policies...); });
   }
 };
+template <class E, class M, std::size_t n, class Motion>
+Usual(std::vector<Eigen::Vector3d>, std::vector<std::array<Index, n>>, E, M, Motion) -> Usual<E, M, n, Motion>;
 
 inline const Solid copper{bench::linear, bench::hardening};
 
