@@ -70,7 +70,7 @@ TEST_CASE("a uniform transverse shear of a single plate meets Q = K gamma, of an
   }
 }
 
-TEST_CASE("the step of a plane thin plate is that of its membrane, sharp to 3.4 %; of a square 0.877 L/c") {
+TEST_CASE("the step of a plane thin plate is that of its membrane, sharp to 3.4 %, and of a square 0.877 L/c") {
   const auto steps = [](const Nodal<double, 4>& x) {
     const Homogeneous thin{PlaneStress{Elastic{1, 1, 0.3}}, 1e-3};
     const SingleElement plate{Plate4{NoPlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}}, thin, x};

@@ -58,7 +58,7 @@ TEST_CASE("D18: a plate 1:1e-4 measures linear fields to 1e-10, and to 1e-8 wher
       const Nodal<double, 4> flat =
           Eigen::Vector3d(1, 1e-4, 1).asDiagonal() * unit_square() + shift.asDiagonal() * shapes.nodal();
       const Nodal<double, 4> x = turn * flat;
-      const testing::LinearPlateMotion motion(shapes, x);
+      const testing::LinearPlateMotion motion(shapes, x, testing::Bending::deflection);
       SingleElement strip{Plate4{}, testing::PlateWitness{}, x};
       strip.step(motion(x), 1e-18);  // so short that its end is its middle
       const auto& rate = strip.state().material.rate;

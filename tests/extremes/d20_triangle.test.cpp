@@ -25,7 +25,7 @@ TEST_CASE("D20: a triangle has its area and its mass, measures linear fields exa
 
   testing::Quadrilaterals shapes(20);
   for (int trial = 0; trial < 10; ++trial) {
-    const testing::LinearPlateMotion motion(shapes, triangle());
+    const testing::LinearPlateMotion motion(shapes, triangle(), testing::Bending::deflection);
     SingleElement witness{Plate4{}, testing::PlateWitness{}, triangle()};
     witness.step(motion(triangle()), 1e-15);
     const auto& rate = witness.state().material.rate;

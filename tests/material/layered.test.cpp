@@ -29,7 +29,7 @@ const PlaneStress steel{Elastic{.reference_density = 7850, .youngs_modulus = 200
 const PlaneStress glassy{Elastic{.reference_density = 2500, .youngs_modulus = 70e9, .poissons_ratio = .22}};
 
 template <class M>
-typename M::template State<double> at_rest(const M& section) {
+typename M::template State<double> resting(const M& section) {
   typename M::template State<double> state{};
   if constexpr (requires { section.begin(state); }) section.begin(state);
   return state;
@@ -38,7 +38,7 @@ typename M::template State<double> at_rest(const M& section) {
 /// All that a section answers to a rate from rest.
 template <class M>
 Resultant answer(const M& section, const Rate& rate, double dt = 1) {
-  auto state = at_rest(section);
+  auto state = resting(section);
   return section.stress(state, rate, dt);
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("layered: elastic resultants are the integrals of the moduli, whatever
     const double z1 = up - 2.5 + h1 / 2, z2 = up + 2.5 - h2 / 2;
     CHECK(section.rotary_inertia() ==
           Approx(7850 * h1 * (z1 * z1 + h1 * h1 / 12) + 2500 * h2 * (z2 * z2 + h2 * h2 / 12)));
-    const auto m = section.moduli(at_rest(section), Rate{});
+    const auto m = section.moduli(resting(section), Rate{});
     for (const double stretch : {1.0, 0.8}) {
       Rate rate = any_rate;
       rate.relative_thickness = stretch;
@@ -171,7 +171,7 @@ TEST_CASE("layered: elastic resultants are the integrals of the moduli, whatever
                             h2 * .22 / .78 * (trace(rate.membrane) + t * z2 * trace(rate.curvature))) /
                           (h1 + h2);
       CHECK(s.normal_rate == Approx(d_zz).epsilon(1e-12));
-      const auto now = section.moduli(at_rest(section), rate);
+      const auto now = section.moduli(resting(section), rate);
       CHECK(now.extension.shear == Approx(t * m.extension.shear));
       CHECK(now.coupling.normal == Approx(t * t * m.coupling.normal));
       CHECK(now.bending.normal == Approx(t * t * t * m.bending.normal));
@@ -197,7 +197,7 @@ TEST_CASE("layered: one layer by any name gives the same bits, as do plies and l
 
 TEST_CASE("layered: what is remembered gives the resultants, before and after a step") {
   const Layered section{Layer{steel, 1.0}, Plies{Layer{glassy, 0.5, Gauss<3>{}}, 2}, Offset{2}};
-  auto state = at_rest(section);
+  auto state = resting(section);
   CHECK(same(section.stress(std::as_const(state)), {}));
   Resultant s = section.stress(state, any_rate, 0.5);
   s.normal_rate = 0;  // that of the step alone
@@ -217,14 +217,14 @@ TEST_CASE("layered: a step of no time, as at the begin of a run, is the stress t
       ZeroNormalStress{Elastic{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3}}, 1e-3};
   CHECK(same(answer(closed, any_rate, 0), Resultant{}));
   CHECK(same(answer(searched, any_rate, 0), Resultant{}));
-  auto state = at_rest(closed);
+  auto state = resting(closed);
   closed.stress(state, any_rate, 1);
   CHECK(same(closed.stress(state, any_rate, 0), closed.stress(std::as_const(state))));
 }
 
 TEST_CASE("layered: interlaminar stresses are the exact ones of long waves") {
   const auto section = glass.section(100);
-  auto state = at_rest(section);
+  auto state = resting(section);
   section.stress(state, {{}, {}, {1e-3, 2e-3}}, 1);
   const double p = std::numbers::pi / 30000;
   for (std::size_t k = 0; k < 3; ++k)
@@ -241,7 +241,7 @@ TEST_CASE("layered: interlaminar stresses with EffectiveShear are within 1 % of 
     CAPTURE(row.strip.name, row.softness);
     const double p = row.strip.p();
     const auto section = row.strip.section(row.softness, EffectiveShear{.length = row.strip.length});
-    auto state = at_rest(section);
+    auto state = resting(section);
     state.shear(0) = 1 / p;  // under the pressure sin px
     double bottom = 0, force = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -281,7 +281,7 @@ TEST_CASE("layered: a plate bent into a cylinder carries 2/sqrt(3) of the plasti
   const PlaneStress metal{
       Solid{LinearEos{.density = 2700, .bulk_modulus = 71e9}, VonMises{.shear_modulus = 27e9, .yield_stress = 300e6}}};
   const Homogeneous section{metal, 2.0};
-  auto state = at_rest(section);
+  auto state = resting(section);
   Resultant s;
   for (int i = 0; i < 1000; ++i) s = section.stress(state, {{}, {1e-3, 0, 0}, {0, 0}}, 1);
   CHECK(s.moment.xx == Approx(2 / std::numbers::sqrt3 * 0.25 * 300e6 * 4).epsilon(1e-3));
@@ -295,8 +295,8 @@ TEST_CASE("layered: layers fail on their own") {
   };
   const Layered section{Layer{brittle(1), 1.0}, Layer{brittle(2), 1.0}, Layer{brittle(1e9), 1.0, Gauss<2>{}}};
   const Layered sound{Layer{brittle(1e9), 1.0}};
-  auto state = at_rest(section);
-  auto one = at_rest(sound);
+  auto state = resting(section);
+  auto one = resting(sound);
   std::vector<double> broken_at(3);
   for (int i = 1; i <= 40; ++i) {
     const Rate pull{{1e-4, 0, 0}, {}, {1e-4, 0}};
@@ -317,7 +317,7 @@ TEST_CASE("layered: layers fail on their own") {
   CHECK(mean(state, 0, Failed{}) == 1);
 
   const Homogeneous all{brittle(1), 1.0};
-  auto gone = at_rest(all);
+  auto gone = resting(all);
   const Resultant s = all.stress(gone, {{1, 0, 0}, {}, {1, 1}}, 1);
   CHECK(all.intact(gone) == 0);
   CHECK(same({s.force, s.moment, s.shear, 0}, {}));
@@ -330,7 +330,7 @@ TEST_CASE("layered: as layers yield, the shear stiffness follows their moduli sl
   const PlaneStress strong{
       Solid{LinearEos{.density = 2700, .bulk_modulus = 71e9}, ElasticStrength{.shear_modulus = 27e9}}};
   const Layered section{Layer{metal, 1.0}, Layer{strong, 2.0}, Layer{metal, 1.0}, InstantaneousShear{}};
-  auto state = at_rest(section);
+  auto state = resting(section);
   const double K0 = section.shear_stiffness();
   Resultant s = section.stress(state, {{}, {}, {1e-3, 0}}, 1);
   CHECK(s.shear(0) == Approx(K0 * 1e-3).epsilon(1e-14));

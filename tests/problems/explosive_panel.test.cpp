@@ -35,7 +35,8 @@ TEST_CASE("explosively loaded panel: Gauss' rule with five points") { check(Gaus
 TEST_CASE("explosively loaded panel: the strain across it found by search, and its thickness as it changes") {
   const Mesh panel = mesh(8);
   const auto middle = [&](const auto& material, const auto& element) {
-    Explicit run{scene(panel, Homogeneous{material, Units{}.thickness(), Gauss<5>{}}, {}, element)};
+    const Homogeneous section{material, Units{}.thickness(), Gauss<5>{}};
+    Explicit run{scene(panel, section, {}, element)};
     return peaks(run, panel).middle.displacement;
   };
   const PlaneStress closed = aluminium();
