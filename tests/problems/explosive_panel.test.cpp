@@ -35,7 +35,7 @@ TEST_CASE("explosively loaded panel: Gauss' rule with five points") { check(Gaus
 TEST_CASE("explosively loaded panel: the strain across it found by search, and its thickness as it changes") {
   const Mesh panel = mesh(8);
   const auto middle = [&](const auto& material, const auto& element) {
-    const Homogeneous section{material, Units{}.thickness(), Gauss<5>{}};
+    const Homogeneous section{material, explosive_panel::Units{}.thickness(), Gauss<5>{}};
     Explicit run{scene(panel, section, {}, element)};
     return peaks(run, panel).middle.displacement;
   };

@@ -333,12 +333,13 @@ struct Plate4 {
     }
     const T w2 = (A * per_mass) * (warping.stiffening(z, per_gyration, S) * bound);
 
-    T shared = p(0) * p(0) + p(1) * p(1) + 0.0625 * z * z * per_gyration;
-    if constexpr (projects_shear)  // |c_xi/8|^2 + ... of twice four nodes: tr(U^2) = 4 tr(S)/det(S), det(S) = 1/A^2
-      shared += T(1.0 / 32.0) * per_gyration *
-                (4.0 * A * A * trace_S + 4.0 * (h(0) * h(0) + h(1) * h(1)) * (p(0) * p(0) + p(1) * p(1)));
+    const T shared = p(0) * p(0) + p(1) * p(1) + 0.0625 * z * z * per_gyration;
     const T c = (4.0 * per_mass) * max(max(control.membrane, control.shear), control.bending * per_gyration);
-    const T d = drilling_stiffness * per_mass * (per_gyration + 2.0 * L1);
+    T d = drilling_stiffness * per_mass * (per_gyration + 2.0 * L1);
+    if constexpr (projects_shear) {  // e^2: what rotations give to the vector across, |c_xi/8|^2 + ... twice
+      const T e2 = T(1.0 / 8.0) * per_gyration * (A * A * trace_S + (h(0) * h(0) + h(1) * h(1)) * shared);
+      d += (4.0 * per_mass * control.shear) * (e2 + 2.0 * sqrt(e2 * (1.0 + shared)));
+    }
     return 0.5 * sqrt(largest_eigenvalue(PlaneTensor<T>{w2 + c * shared, c, c * sqrt(shared)}) + d);
   }
 };
