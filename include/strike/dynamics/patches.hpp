@@ -72,20 +72,21 @@ class Patches {
     auto& motion = nodes.motion();
     using Copy = std::decay_t<decltype(motion.position[0])>;
     const auto origin = this->origin(patch, nodes);
+    const auto clear = [&](Index i) {
+      motion.force[i] = 0;
+      if constexpr (N::nodes_turn) motion.moment[i] = 0;
+    };
     const auto copy = [&](Index from, Index to) {
       motion.position[to] = Copy(nodes.position()[from] - origin);
       motion.velocity[to] = Copy(nodes.velocity()[from]);
-      motion.force[to] = 0;
-      if constexpr (N::nodes_turn) {
-        motion.angular_velocity[to] = Copy(nodes.angular_velocity()[from]);
-        motion.moment[to] = 0;
-      }
+      if constexpr (N::nodes_turn) motion.angular_velocity[to] = Copy(nodes.angular_velocity()[from]);
+      clear(to);
     };
     for (Index i = patch.first_node; i < patch.last_node; ++i) {
       if constexpr (N::elements_have_copy)
         copy(i, i);
       else
-        clear(nodes, i);
+        clear(i);
     }
     for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) copy(sources_[g - first_ghost_], g);
   }
@@ -129,11 +130,6 @@ class Patches {
   }
 
  private:
-  template <class N>
-  static void clear(N& nodes, Index i) {
-    nodes.force()[i] = 0;
-    if constexpr (N::nodes_turn) nodes.moment()[i] = 0;
-  }
   Index next_ghost() const { return first_ghost_ + static_cast<Index>(sources_.size()); }
   template <class N>
   auto origin(const Patch& patch, const N& nodes) const {

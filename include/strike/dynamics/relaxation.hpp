@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <limits>
 
-#include <strike/mesh/nodes.hpp>
-
 namespace strike {
 
 /// What takes energy from the motion of a whole run: nothing, unless told otherwise.

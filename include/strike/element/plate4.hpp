@@ -2,13 +2,11 @@
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 #include <strike/element/plate4_modes.hpp>
 #include <strike/element/plate_hourglass.hpp>
 #include <strike/element/plate_warping.hpp>
 #include <strike/element/solid_point.hpp>
-#include <strike/element/stable_step.hpp>
 
 namespace strike {
 
@@ -141,7 +139,7 @@ struct Plate4 {
     const PlaneTensor<T> N = A * frame.turned(stress.force), M = A * frame.turned(stress.moment);
     const Vector2<T> Q = frame.turned(stress.shear(0), stress.shear(1));
     const T Q_xi = A * Q(0), Q_eta = A * Q(1);
-    const Vector3<T> c_xi = cross(e3, m.xi), c_eta = cross(e3, m.eta);
+    const Vector3<T> c_xi = cross(e3, m.xi), c_eta = cross(e3, m.eta), c_h = cross(e3, m.h);
     Plate4Modes<T> F, G;
     F.xi = N.xx * m.xi + N.xy * m.eta + Q_xi * e3;
     F.eta = N.xy * m.xi + N.yy * m.eta + Q_eta * e3;
@@ -149,10 +147,7 @@ struct Plate4 {
     G.eta = M.xy * c_xi + M.yy * c_eta;
     G.s = (0.25 * Q_xi) * c_xi + (0.25 * Q_eta) * c_eta;
     F.s = F.h = G.h = Vector3<T>{T(0.0), T(0.0), T(0.0)};
-    if constexpr (projects_shear) {
-      const Vector3<T> c_h = cross(e3, m.h);
-      G.eta = G.eta + (0.25 * Q_xi) * c_h, G.xi = G.xi + (0.25 * Q_eta) * c_h;
-    }
+    if constexpr (projects_shear) G.eta = G.eta + (0.25 * Q_xi) * c_h, G.xi = G.xi + (0.25 * Q_eta) * c_h;
 
     const typename PlateKinematics::Moduli<T> moduli = material.moduli(state.material, felt);
     const PlaneTensor<T> bb = frame.gradient_squared();
@@ -169,24 +164,18 @@ struct Plate4 {
       F.h = R_u, F.xi = F.xi - p(0) * R_u, F.eta = F.eta - p(1) * R_u;
       G.h = R_w, G.xi = G.xi - p(0) * R_w, G.eta = G.eta - p(1) * R_w;
       if constexpr (projects_shear) {
-        const Vector3<T> c_h = cross(e3, m.h);
         G.eta = G.eta + (0.125 * R.shear) * c_xi - (0.25 * R.shear * p(0)) * c_h;
         G.xi = G.xi + (0.125 * R.shear) * c_eta - (0.25 * R.shear * p(1)) * c_h;
       }
     }
     T drilling_stiffness = T(0.0);
-    if constexpr (drills) {
-      Plate4Drilling<T> moment;
-      warping.forces(frame, z, F, G, moment);
-      if constexpr (drilling_controlled) {
-        drilling_stiffness = drilling.stiffness(moduli.extension.shear, A);
-        response.hourglass_work += resist(state.drilling.resistance, drilling_stiffness, drilling_rates, dt, moment);
-      }
-      moment.add_forces(frame, F, G);
-    } else {
-      Plate4Drilling<T> none;
-      warping.forces(frame, z, F, G, none);
+    Plate4Drilling<T> moment;
+    warping.forces(frame, z, F, G, moment);
+    if constexpr (drilling_controlled) {
+      drilling_stiffness = drilling.stiffness(moduli.extension.shear, A);
+      response.hourglass_work += resist(state.drilling.resistance, drilling_stiffness, drilling_rates, dt, moment);
     }
+    if constexpr (drills) moment.add_forces(frame, F, G);
     to_plate_nodes(F, response.force);
     to_plate_nodes(G, response.force, 4);
 
@@ -223,22 +212,6 @@ struct Plate4 {
     Plate4Drilling<T> drilling;
   };
 
-  /// The same for the drilling, its moments in the modes 1/4 of the resistance there.
-  template <class T>
-  static T resist(Plate4Drilling<T>& R, const T& stiffness, const Plate4Drilling<T>& rates, double dt,
-                  Plate4Drilling<T>& moment) {
-    T work = T(0.0);
-    const auto advance = [&](T& resistance, const T& q, T& moment_k) {
-      const T change = 0.25 * stiffness * (dt * q);
-      work += (resistance + 0.5 * change) * (dt * q);
-      resistance += change;
-      moment_k += resistance;
-    };
-    advance(R.s, rates.s, moment.s), advance(R.xi, rates.xi, moment.xi);
-    advance(R.eta, rates.eta, moment.eta), advance(R.h, rates.h, moment.h);
-    return work;
-  }
-
   /// The rates in the middle of the step, from the modes at its end.
   template <class T>
   Measure<T> measure(const Plate4Modes<T>& m, Plate4Modes<T>& u, Plate4Modes<T>& w, double dt) const {
@@ -249,7 +222,7 @@ struct Plate4 {
     const T z = dot(e3, m_h);
 
     const Vector3<T>&m_xi = frame.m_xi, &m_eta = frame.m_eta;
-    const Vector3<T> c_xi = cross(e3, m_xi), c_eta = cross(e3, m_eta);
+    const Vector3<T> c_xi = cross(e3, m_xi), c_eta = cross(e3, m_eta), c_h = cross(e3, m_h);
     Measure<T> measure;
     if constexpr (drills) measure.drilling = Plate4Drilling<T>(frame, u, w);
     warping.rates(frame, z, measure.drilling, u, w);
@@ -257,10 +230,7 @@ struct Plate4 {
     rate.membrane = frame.turned({dot(m_xi, u.xi), dot(m_eta, u.eta), 0.5 * (dot(m_xi, u.eta) + dot(m_eta, u.xi))});
     rate.curvature = frame.turned({dot(c_xi, w.xi), dot(c_eta, w.eta), 0.5 * (dot(c_xi, w.eta) + dot(c_eta, w.xi))});
     T gamma_xi = dot(e3, u.xi) + 0.25 * dot(c_xi, w.s), gamma_eta = dot(e3, u.eta) + 0.25 * dot(c_eta, w.s);
-    if constexpr (projects_shear) {
-      const Vector3<T> c_h = cross(e3, m_h);
-      gamma_xi += 0.25 * dot(c_h, w.eta), gamma_eta += 0.25 * dot(c_h, w.xi);
-    }
+    if constexpr (projects_shear) gamma_xi += 0.25 * dot(c_h, w.eta), gamma_eta += 0.25 * dot(c_h, w.xi);
     rate.shear = frame.turned(gamma_xi, gamma_eta);
     if constexpr (controlled) {
       // gamma.f = f_h - p.(f_xi, f_eta), p the components of m_h along the tangents
@@ -268,8 +238,7 @@ struct Plate4 {
       const Vector3<T> q_u = u.h - p(0) * u.xi - p(1) * u.eta, q_w = w.h - p(0) * w.xi - p(1) * w.eta;
       T q_across = dot(e3, q_u);
       if constexpr (projects_shear)  // what the shears along opposite edges differ by, which is nothing in pure bending
-        q_across +=
-            0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(cross(e3, m_h), p(0) * w.eta + p(1) * w.xi);
+        q_across += 0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
       measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), q_across};
     }
     return measure;
@@ -284,19 +253,35 @@ struct Plate4 {
 
   /// Advances the resistance R by k q dt and returns the work done against the mean of R before and after.
   template <class T>
+  static T resist(T& R, const T& k, const T& q, double dt) {
+    const T change = k * (dt * q);
+    const T work = (R + 0.5 * change) * (dt * q);
+    R += change;
+    return work;
+  }
+  /// The same for all hourglass modes, ...
+  template <class T>
   static T resist(PlateHourglassModes<T>& R, const PlateHourglassStiffness<T>& stiffness,
                   const PlateHourglassModes<T>& rates, double dt) {
     T work = T(0.0);
-    const auto advance = [&](T& resistance, const T& k, const T& q) {
-      const T change = k * (dt * q);
-      work += (resistance + 0.5 * change) * (dt * q);
-      resistance += change;
-    };
     for (int i = 0; i < 2; ++i) {
-      advance(R.membrane(i), stiffness.membrane, rates.membrane(i));
-      advance(R.bending(i), stiffness.bending, rates.bending(i));
+      work += resist(R.membrane(i), stiffness.membrane, rates.membrane(i), dt);
+      work += resist(R.bending(i), stiffness.bending, rates.bending(i), dt);
     }
-    advance(R.shear, stiffness.shear, rates.shear);
+    return work + resist(R.shear, stiffness.shear, rates.shear, dt);
+  }
+  /// ... and for the drilling, of which each mode has a quarter of the nodes' stiffness; adds R to the moment on it.
+  template <class T>
+  static T resist(Plate4Drilling<T>& R, const T& stiffness, const Plate4Drilling<T>& rates, double dt,
+                  Plate4Drilling<T>& moment) {
+    const T k = 0.25 * stiffness;
+    T work = T(0.0);
+    const auto advance = [&](T Plate4Drilling<T>::*mode) {
+      work += resist(R.*mode, k, rates.*mode, dt);
+      moment.*mode += R.*mode;
+    };
+    using Modes = Plate4Drilling<T>;
+    advance(&Modes::s), advance(&Modes::xi), advance(&Modes::eta), advance(&Modes::h);
     return work;
   }
 

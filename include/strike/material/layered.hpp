@@ -336,7 +336,7 @@ class Layered {
         const PlaneTensor<T>& sigma = after[i];
         const PlaneTensor<T> change = sigma - before[i];
         sum.add(z, weight, sigma);
-        if (dt > 0) sum.normal_rate += weight * material.normal_rate(point, strained[i], dt, change);
+        sum.normal_rate += weight * material.normal_rate(point, strained[i], dt, change);
         if constexpr (instantaneous) {
           const PlaneTensor<T> e = T(dt) * strained[i].rate_of_deformation;
           const double Q = numbers.elastic.moduli.normal, G = numbers.elastic.moduli.shear;
