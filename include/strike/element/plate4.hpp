@@ -303,8 +303,8 @@ struct Plate4 {
     const T L1 = largest_eigenvalue(S), trace_S = trace(S);
     const T l = warping.lever(z);
     const auto both = [&](const T& a, const T& b, const T& c) -> T {
-      return largest_eigenvalue(
-          PlaneTensor<T>{a, per_gyration * (l * l * a + 2.0 * l * abs(b) + c), sqrt(per_gyration) * (l * a + abs(b))});
+      const T coupled = l * a + abs(b);
+      return largest_eigenvalue<T>(a, per_gyration * (l * (coupled + abs(b)) + c), per_gyration * coupled * coupled);
     };
     const auto lambda = [](const PlaneModuli<T>& k) -> T { return k.normal - 2.0 * k.shear; };
     const T normal = both(lambda(moduli.extension), lambda(moduli.coupling), lambda(moduli.bending)),
@@ -314,7 +314,7 @@ struct Plate4 {
     T bound = max(strain, across);
     if constexpr (projects_shear) {
       const T both_move = T(1.0 / 16.0) * moduli.transverse_shear * L1 * (h(0) * h(0) + h(1) * h(1)) * per_gyration;
-      bound = largest_eigenvalue(PlaneTensor<T>{across, strain + both_move, sqrt(across * both_move)});
+      bound = largest_eigenvalue<T>(across, strain + both_move, across * both_move);
     }
     const T w2 = (A * per_mass) * (warping.stiffening(z, per_gyration, S) * bound);
 
@@ -325,7 +325,7 @@ struct Plate4 {
       const T e2 = T(1.0 / 8.0) * per_gyration * (A * A * trace_S + (h(0) * h(0) + h(1) * h(1)) * shared);
       d += (4.0 * per_mass * control.shear) * (e2 + 2.0 * sqrt(e2 * (1.0 + shared)));
     }
-    return 0.5 * sqrt(largest_eigenvalue(PlaneTensor<T>{w2 + c * shared, c, c * sqrt(shared)}) + d);
+    return 0.5 * sqrt(largest_eigenvalue<T>(w2 + c * shared, c, c * c * shared) + d);
   }
 };
 

@@ -53,43 +53,49 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
   constexpr double least = sizeof(Real) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
   const double G3 = 3.0 * law.shear_modulus;
   if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); }) {
-    // f = 1 - p [kappa + (1 - kappa) t(Q(p))] = 0 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa, by Chebyshev's steps of
-    // third order, n - n^2 f''/(2 f') with Newton's n. Q' = Q b/p and Q'' = Q b (1 - b)/p^2 in the share of the mean
-    // b = m p^2/Q^2; hardening is nearly linear in a step, dl'' = 0.
-    bool yields = false;
-    for (std::size_t k = 0; k < n; ++k) {
-      const T Q2 = max(T(least), returns[k].d + returns[k].m);
-      yields |= any(law.plastic_increment(T(Q2 * rsqrt(Q2)), states[k].equivalent_plastic_strain, dt) > 0.0);
-    }
+    // f = 1 - p [kappa + (1 - kappa) t(Q(p))] = 0 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa, by Householder's steps
+    // of fourth order, n [1 - A2 n + (2 A2^2 - A3) n^2] with Newton's n, A2 = f''/(2 f'), A3 = f'''/(6 f'). Hardening
+    // is nearly linear in a step, dl'' = 0; then t is linear in 1/Q, and with the share of the mean b = m p^2/Q^2
+    //   Q' = Q b/p,  Q'' = Q b (1 - b)/p^2,  t' = y b/p,  t'' = y b (1 - 3 b)/p^2,  y = 1 - t - 3 G dl'.
     struct Search {
-      T p, lower, upper;
+      T p, lower, upper, Q, per_Q;
+      D dl;
     };
     std::array<Search, n> searches;
-    searches.fill({T(1.0), T(1.0), T(1.0 / kappa)});
+    for (Search& search : searches) search.p = search.lower = T(1.0), search.upper = T(1.0 / kappa);
+    bool yields = true;
     for (int i = 0; yields && i < 50; ++i) {
+      yields = i > 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        Search& at = searches[k];
+        const T Q2 = max(T(least), returns[k].d + returns[k].m * at.p * at.p);
+        at.per_Q = rsqrt(Q2), at.Q = Q2 * at.per_Q;
+        at.dl = law.plastic_increment(D::variable(at.Q, 0), D(states[k].equivalent_plastic_strain), dt);
+        yields |= any(at.dl.value() > 0.0);
+      }
+      if (!yields) break;
       yields = false;
       for (std::size_t k = 0; k < n; ++k) {
         auto& [m, d, mean, shear, plastic_increment] = returns[k];
-        auto& [p, lower, upper] = searches[k];
-        const T Q2 = max(T(least), d + m * p * p), per_Q = rsqrt(Q2), Q = Q2 * per_Q;
-        const D dl = law.plastic_increment(D::variable(Q, 0), D(states[k].equivalent_plastic_strain), dt);
+        auto& [p, lower, upper, Q, per_Q, dl] = searches[k];
         const T curvature = m * per_Q * per_Q, slope = curvature * p, b = slope * p;  // Q'/Q = slope
-        const T t = 1.0 - G3 * dl.value() * per_Q, y = 1.0 - t - G3 * dl.derivative(0), dt_dp = y * slope;
-        const T f = (1.0 - kappa * p) - (1.0 - kappa) * p * t,
-                per_df = -1.0 / (kappa + (1.0 - kappa) * (t + p * dt_dp));
-        const T newton = -f * per_df;
-        T next = p + newton * (1.0 + (1.5 * (1.0 - kappa)) * newton * per_df * dt_dp * (1.0 - b));
+        const T t = 1.0 - G3 * dl.value() * per_Q, y = 1.0 - t - G3 * dl.derivative(0);
+        const T f = (1.0 - kappa * p) - (1.0 - kappa) * p * t, per_df = -1.0 / (kappa + (1.0 - kappa) * (t + b * y));
+        const T newton = -f * per_df, h = (1.0 - kappa) * (1.0 - b) * y * per_df;  // A2 = -3/2 h slope
+        T next =
+            p + newton * (1.0 + newton * h * (1.5 * slope + 0.5 * newton * curvature * (1.0 + b * (9.0 * h - 5.0))));
         if (i > 2) {  // softening may lead astray
           lower = select(f >= 0.0, p, lower);
           upper = select(f >= 0.0, upper, p);
           next = select(next >= lower && next <= upper, next, 0.5 * (lower + upper));
         }
-        const T step = next - p, dQ = Q * (step * slope + 0.5 * step * step * curvature * (1.0 - b));
+        const T step = next - p, bend = 0.5 * step * curvature;
         p = next;
-        shear = t + step * (dt_dp + 0.5 * step * y * curvature * (1.0 - 3.0 * b));
+        shear = t + step * y * (slope + bend * ((1.0 - 3.0 * b) - step * slope * (3.0 - 5.0 * b)));
         mean = shear * p;
-        plastic_increment = dl.value() + dl.derivative(0) * dQ;
-        yields |= any(abs(step) * step * step > 8.0 * epsilon);
+        plastic_increment =
+            dl.value() + dl.derivative(0) * (Q * step * (slope + bend * (1.0 - b) * (1.0 - step * slope)));
+        yields |= any(step * step * step * step > 16.0 * epsilon);
       }
     }
   } else {

@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -45,11 +47,16 @@ T equivalent_stress(const PlaneTensor<T>& a) {
   return sqrt(a.xx * a.xx + a.yy * a.yy - a.xx * a.yy + 3.0 * (a.xy * a.xy));
 }
 
-/// The larger eigenvalue.
+/// The larger eigenvalue of [xx, xy; xy, yy], given xy^2.
+template <class T>
+T largest_eigenvalue(const T& xx, const T& yy, const T& xy_squared) {
+  const T half = 0.5 * (xx - yy);
+  const T p2 = max(T(std::numeric_limits<RealOf<T>>::min()), half * half + xy_squared);
+  return 0.5 * (xx + yy) + p2 * rsqrt(p2);
+}
 template <class T>
 T largest_eigenvalue(const PlaneTensor<T>& a) {
-  const T half = 0.5 * (a.xx - a.yy);
-  return 0.5 * trace(a) + sqrt(half * half + a.xy * a.xy);
+  return largest_eigenvalue<T>(a.xx, a.yy, a.xy * a.xy);
 }
 
 }  // namespace strike
