@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/mesh/box.hpp>
+#include <strike/mesh/canopy.hpp>
 #include <strike/mesh/check.hpp>
 #include <strike/mesh/cylinder.hpp>
 #include <strike/mesh/grading.hpp>

@@ -1,0 +1,54 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <strike/error.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/mesh/sheet.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// A bubble canopy: half ellipses across the x axis, on the plane z = 0. Their height and half width run as parabolas
+/// from those in front to the largest ones at `top`, where they are level, and on to those at the back.
+struct CanopyShape {
+  /// How high or wide the canopy is in front, at its top and at the back [length].
+  struct Profile {
+    double front, top, back;
+  };
+  double length;                     ///< along x, from 0 [length]
+  double top;                        ///< x of its largest section [length]
+  Profile height;                    ///< of the crown over the sill
+  Profile half_width;                ///< of the sill
+  std::array<Index, 2> cells{1, 1};  ///< along x and from sill to sill
+
+  double height_at(double x) const { return at(height, x); }
+  double half_width_at(double x) const { return at(half_width, x); }
+
+ private:
+  double at(const Profile& p, double x) const {
+    const double away = x < top ? (top - x) / top : (x - top) / (length - top);
+    return p.top - (p.top - (x < top ? p.front : p.back)) * away * away;
+  }
+};
+
+/// Quadrilaterals on a canopy, facing outward, at equal steps in x and in the angle of the ellipses.
+/// Errors: a length, height or width that is not positive, a top that is not between front and back, no cells.
+inline Mesh canopy(const CanopyShape& shape) {
+  double least = std::min(shape.top, shape.length - shape.top);
+  for (const auto& [front, top, back] : {shape.height, shape.half_width}) least = std::min({least, front, top, back});
+  if (!(least > 0) || !std::isfinite(shape.length))
+    throw Error(
+        detail::joined({"A canopy of length ", detail::text(shape.length), " with its top at ", detail::text(shape.top),
+                        " needs the top between front and back, and positive heights and widths; the least of "
+                        "these is ",
+                        detail::text(least), "."}));
+  return sheet(shape.cells, [&](double s, double t) {
+    const double x = s * shape.length, angle = (t - 0.5) * std::numbers::pi;
+    return Eigen::Vector3d(x, shape.half_width_at(x) * std::sin(angle), shape.height_at(x) * std::cos(angle));
+  });
+}
+
+}  // namespace strike
