@@ -57,17 +57,17 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
     // of fourth order, n [1 - A2 n + (2 A2^2 - A3) n^2] with Newton's n, A2 = f''/(2 f'), A3 = f'''/(6 f'). Hardening
     // is nearly linear in a step, dl'' = 0; then t is linear in 1/Q, and with the share of the mean b = m p^2/Q^2
     //   Q' = Q b/p,  Q'' = Q b (1 - b)/p^2,  t' = y b/p,  t'' = y b (1 - 3 b)/p^2,  y = 1 - t - 3 G dl'.
-    struct Search {
+    struct Iterate {
       T p, lower, upper, Q, per_Q;
       D dl;
     };
-    std::array<Search, n> searches;
-    for (Search& search : searches) search.p = search.lower = T(1.0), search.upper = T(1.0 / kappa);
+    std::array<Iterate, n> iterates;
+    for (Iterate& at : iterates) at.p = at.lower = T(1.0), at.upper = T(1.0 / kappa);
     bool yields = true;
     for (int i = 0; yields && i < 50; ++i) {
       yields = i > 0;
       for (std::size_t k = 0; k < n; ++k) {
-        Search& at = searches[k];
+        Iterate& at = iterates[k];
         const T Q2 = max(T(least), returns[k].d + returns[k].m * at.p * at.p);
         at.per_Q = rsqrt(Q2), at.Q = Q2 * at.per_Q;
         at.dl = law.plastic_increment(D::variable(at.Q, 0), D(states[k].equivalent_plastic_strain), dt);
@@ -77,7 +77,7 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
       yields = false;
       for (std::size_t k = 0; k < n; ++k) {
         auto& [m, d, mean, shear, plastic_increment] = returns[k];
-        auto& [p, lower, upper, Q, per_Q, dl] = searches[k];
+        auto& [p, lower, upper, Q, per_Q, dl] = iterates[k];
         const T curvature = m * per_Q * per_Q, slope = curvature * p, b = slope * p;  // Q'/Q = slope
         const T t = 1.0 - G3 * dl.value() * per_Q, y = 1.0 - t - G3 * dl.derivative(0);
         const T f = (1.0 - kappa * p) - (1.0 - kappa) * p * t, per_df = -1.0 / (kappa + (1.0 - kappa) * (t + b * y));
