@@ -9,6 +9,7 @@
 
 #include <strike/dynamics/gather.hpp>
 #include <strike/dynamics/ledger.hpp>
+#include <strike/dynamics/nodal_volume.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
@@ -127,6 +128,14 @@ class RunningPart {
       patches_.load(patches_[p], nodes);
       for (std::size_t b = patches_[p].first_block; b < patches_[p].last_block; ++b) begin(b, nodes);
     }
+    if constexpr (averages_volume) {
+      volume_ = detail::NodalVolume<RealOf<T>>(nodes.places());
+      for (std::size_t p = 0; p < patches_.size(); ++p) {
+        patches_.load(patches_[p], nodes);
+        add_volumes(patches_[p], nodes.motion());
+      }
+      volume_.begin(patches_);
+    }
   }
 
   /// Advances every element over the step dt that led to the present positions, adds its forces to the nodes and its
@@ -134,8 +143,16 @@ class RunningPart {
   /// then.
   template <class Execution>
   StableStep deform(Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+    if constexpr (averages_volume) {
+      volume_.clear();
+      execution.for_each(patches_.size(), [&](std::size_t p) {
+        patches_.load(patches_[p], nodes);
+        add_volumes(patches_[p], nodes.motion());
+      });
+      volume_.update(patches_);
+    }
     execution.for_each(patches_.size(), [&](std::size_t p) {
-      patches_.load(patches_[p], nodes);
+      if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
       outcomes_[p] = advance(patches_[p], nodes.motion(), dt);
       patches_.store(patches_[p], nodes);
     });
@@ -280,7 +297,9 @@ class RunningPart {
       const Nodal<T, E::nodes> x = gather<T, n>(motion.position, block.nodes);
       const Velocities v{motion, block.nodes};
       const Response<T, motions<E>> response = [&] {
-        if constexpr (requires { element.advance(state, material, x, v, dt); })
+        if constexpr (averages_volume)
+          return element.advance(state, material, x, Vectors(v), volume_.template mean<T, n>(block.nodes), dt);
+        else if constexpr (requires { element.advance(state, material, x, v, dt); })
           return element.advance(state, material, x, v, dt);
         else
           return element.advance(state, material, x, Vectors(v), dt);
@@ -317,6 +336,12 @@ class RunningPart {
     return outcome;
   }
 
+  void add_volumes(const detail::Patch& patch, const Motion& motion) {
+    for (std::size_t b = patch.first_block; b < patch.last_block; ++b)
+      volume_.template add<T, n>(element_.volume(gather<T, n>(motion.position, blocks_[b].nodes)), blocks_[b].nodes,
+                                 count(b));
+  }
+
   // Elements are known by their places, lane after lane and block after block, but for what the user sees.
   std::size_t place_of(std::size_t e) const {
     return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), e) - order_.begin());
@@ -333,6 +358,7 @@ class RunningPart {
                            detail::text((1.0 / static_cast<double>(n)) * sum)});
   }
 
+  static constexpr bool averages_volume = requires { requires E::averages_volume; };
   /// A state whose numbers may stay in registers while its element works on them.
   static constexpr bool state_is_small = sizeof(State) < 32 * sizeof(T);
 
@@ -390,6 +416,8 @@ class RunningPart {
   std::vector<Block> blocks_;
   detail::Patches patches_;
   std::vector<Outcome> outcomes_;
+  struct NoVolume {};
+  [[no_unique_address]] std::conditional_t<averages_volume, detail::NodalVolume<RealOf<T>>, NoVolume> volume_;
 };
 
 }  // namespace strike

@@ -11,15 +11,21 @@ struct PointResponse {
 };
 
 /// Advances the material at a point of an element, its tensors already turned, over the step dt that changed the
-/// point's volume by dV to V.
+/// point's volume by dV to V. The work is done on D: that of the rate, but where an element strains its material
+/// otherwise than its nodes move.
 template <class M, class State, class T>
 PointResponse<T> advance_point(const M& material, State& state, const SolidKinematics::Rate<T>& rate, double dt,
-                               const T& V, const T& dV) {
+                               const T& V, const T& dV, const SymmetricTensor<T>& D) {
   SymmetricTensor<T> before = material.stress(state);
   const SymmetricTensor<T> sigma = material.stress(state, rate, dt);
   if constexpr (requires { material.viscosity(); })  // what a material does not remember was the same before the step
     before += sigma - material.stress(state);
-  return {sigma, 0.5 * dt * double_dot(T(V - dV) * before + V * sigma, rate.rate_of_deformation)};
+  return {sigma, 0.5 * dt * double_dot(T(V - dV) * before + V * sigma, D)};
+}
+template <class M, class State, class T>
+PointResponse<T> advance_point(const M& material, State& state, const SolidKinematics::Rate<T>& rate, double dt,
+                               const T& V, const T& dV) {
+  return advance_point(material, state, rate, dt, V, dV, rate.rate_of_deformation);
 }
 
 /// 1, or 0 where the material has failed.

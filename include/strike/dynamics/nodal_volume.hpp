@@ -1,0 +1,54 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <strike/dynamics/gather.hpp>
+#include <strike/dynamics/patches.hpp>
+
+namespace strike::detail {
+
+/// The relative volume J_a = sum V/sum V0 of the elements of a part at its nodes, place by place.
+template <class Real>
+class NodalVolume {
+ public:
+  NodalVolume() = default;
+  explicit NodalVolume(Index places) : reference_(places), volume_(places), ratio_(places, Real(1)) {}
+
+  void clear() { std::fill(volume_.begin(), volume_.end(), Real(0)); }
+  /// Adds those of the first `count` elements of a block to their nodes.
+  template <class T, std::size_t n>
+  void add(const T& volume, const BlockNodes<n, lanes<T>>& nodes, std::size_t count) {
+    for (const auto& corner : nodes)
+      for (std::size_t l = 0; l < count; ++l) volume_[corner[l]] += lane(volume, l);
+  }
+  /// Adds up what patches have of a node, patch after patch, as the reference.
+  void begin(const Patches& patches) {
+    sum(patches);
+    reference_ = volume_;
+  }
+  /// The same as the present volumes, of which every patch learns the ratios.
+  void update(const Patches& patches) {
+    sum(patches);
+    for (std::size_t i = 0; i < ratio_.size(); ++i)
+      if (reference_[i] > 0) ratio_[i] = volume_[i] / reference_[i];
+    for (std::size_t p = 0; p < patches.size(); ++p) patches.refresh(patches[p], ratio_);
+  }
+  /// The mean of J_a over the nodes of the elements of a block.
+  template <class T, std::size_t n>
+  T mean(const BlockNodes<n, lanes<T>>& nodes) const {
+    T sum = T(0.0);
+    for (const auto& corner : nodes)
+      for (std::size_t l = 0; l < lanes<T>; ++l) set_lane(sum, l, lane(sum, l) + ratio_[corner[l]]);
+    return T(1.0 / static_cast<double>(n)) * sum;
+  }
+
+ private:
+  void sum(const Patches& patches) {
+    for (std::size_t p = 0; p < patches.size(); ++p) patches.gather(patches[p], volume_);
+  }
+
+  std::vector<Real> reference_, volume_, ratio_;
+};
+
+}  // namespace strike::detail
