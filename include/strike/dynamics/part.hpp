@@ -253,9 +253,10 @@ class RunningPart {
 
   /// Asks for a block before its turn: what streams from memory comes late if the machine guesses alone. Inline always:
   /// g++ finds that a function which only asks does nothing, and leaves out its calls.
-  [[gnu::always_inline]] static void prefetch(const Block& block) {
-    const char* begin = reinterpret_cast<const char*>(&block);
-    for (std::size_t line = 0; line < sizeof(Block) / 64; ++line) __builtin_prefetch(begin + 64 * line, 1);
+  template <class Data>
+  [[gnu::always_inline]] static void prefetch(const Data& data) {
+    const char* begin = reinterpret_cast<const char*>(&data);
+    for (std::size_t line = 0; line < sizeof(Data) / 64; ++line) __builtin_prefetch(begin + 64 * line, 1);
   }
 
   static T mass_of(const T& mass) { return mass; }
@@ -337,9 +338,11 @@ class RunningPart {
   }
 
   void add_volumes(const detail::Patch& patch, const Motion& motion) {
-    for (std::size_t b = patch.first_block; b < patch.last_block; ++b)
-      volume_.template add<T, n>(element_.volume(gather<T, n>(motion.position, blocks_[b].nodes)), blocks_[b].nodes,
-                                 count(b));
+    for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
+      prefetch(blocks_[std::min(b + 4, blocks_.size() - 1)].nodes);
+      const auto& corners = blocks_[b].nodes;
+      volume_.template add<T, n>(element_.volume(gather<T, n>(motion.position, corners)), corners, count(b));
+    }
   }
 
   // Elements are known by their places, lane after lane and block after block, but for what the user sees.
