@@ -5,6 +5,7 @@
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/mixed_cells.hpp>
 #include <strike/mesh/order.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
