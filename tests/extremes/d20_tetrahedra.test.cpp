@@ -1,7 +1,6 @@
 // Tetrahedra written as five nodes, the fifth the first.
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/tet4.hpp>
-#include <strike/load/initial_velocity.hpp>
 #include <strike/mesh/mixed_cells.hpp>
 
 #include "problems/free_tetrahedra.hpp"

@@ -89,8 +89,8 @@ template <class Thing>
 struct AskedBlocksOf {
   using type = NoPart;
 };
-template <class E, class M, class T, class Nodes>
-struct AskedBlocksOf<RunningPart<E, M, T, Nodes>> {
+template <class E, class M, class T, class Nodes, class Removal>
+struct AskedBlocksOf<RunningPart<E, M, T, Nodes, Removal>> {
   using type = std::vector<AskedBlock<E, T>>;
 };
 template <class Things>

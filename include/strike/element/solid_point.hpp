@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include <strike/element/element.hpp>
 
 namespace strike {
@@ -43,13 +45,15 @@ void heat(State& state, const T& energy) {
   if constexpr (requires { state.internal_energy; }) state.internal_energy += energy;
 }
 
-/// What has failed neither pushes nor limits the step, however distorted it is.
+/// What has failed neither pushes nor limits the step, however distorted it is. In the step in which it fails the
+/// stress before has done its half of the work.
 template <class Flag, class T, int n>
 void silence(const Flag& intact, Response<T, n>& response) {
   response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();
   response.volume = select(intact, response.volume, T(1.0));
   response.critical_rate = select(intact, response.critical_rate, T(0.0));
-  response.internal_work = select(intact, response.internal_work, T(0.0));
+  response.internal_work =
+      select(abs(response.internal_work) <= std::numeric_limits<RealOf<T>>::max(), response.internal_work, T(0.0));
   response.hourglass_work = select(intact, response.hourglass_work, T(0.0));
   response.bulk_viscosity_work = select(intact, response.bulk_viscosity_work, T(0.0));
 }
