@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/mesh/bird.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/check.hpp>
 #include <strike/mesh/cylinder.hpp>
