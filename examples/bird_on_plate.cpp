@@ -100,44 +100,69 @@ struct Record {
   double start = 0;  // of the rear
 };
 
+/// Exact for the steady flow of this water: int dp/rho = v^2/2.
+double stagnation_pressure(double speed) {
+  double p = 0, mu = 0;
+  for (double head = 0; head < 0.5 * speed * speed;) {
+    constexpr double d = 1e-6;
+    const double next = water.A(mu + d), step = (next - p) / (density * (1 + mu + 0.5 * d));
+    head += step, p = next, mu += d;
+  }
+  return p;
+}
+
+/// What is left of the bird, and the nodes of what is not.
+void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vector3d>& positions,
+          const std::vector<double>& pressure, const std::vector<bool>& alive, double time) {
+  const Mesh left = remaining(mesh, alive);
+  std::vector<Eigen::Vector3d> particles;
+  for (const Index i : orphan_nodes(left)) particles.push_back(positions[i]);
+  Picture picture{{.title = detail::joined({"Bird on a rigid plate after ", detail::text(time), " ms"}),
+                   .quantity = "pressure",
+                   .unit = "MPa",
+                   .from = {1, -2.5, 0.6},
+                   .mirror = {Axis::x, Axis::y},
+                   .low = 0,
+                   .high = 2e3 * stagnation_pressure(record.speed),
+                   .length_unit = "mm"}};
+  picture.add(surface(left), positions, remaining(pressure, alive));
+  picture.add_particles(particles);
+  picture.write("bird.svg");
+}
+
 template <class E, class M, std::size_t n>
 void strike_plate(const E& element, const M& material, const Mesh& mesh, const Cells<n>& cells, Record& record) {
   const auto on = [&](Axis axis) { return nodes_where(mesh.nodes, on_plane(axis, 0)); };
   const double edge = record.size.diameter / (4 * record.shape.cells), c = std::sqrt(water.C1 / density);
   const Erosion erosion{.volume = 0.1, .step = 0.02 * edge / c};
   record.rear = nodes_where(mesh.nodes, [&](const auto& x) { return x.z() > 0.9 * record.size.length; });
-  Explicit run{Scene{mesh.nodes,                                      //
-                     Part{element, material, cells, erosion},         //
-                     InitialVelocity{{0, 0, -record.speed}},          //
-                     Symmetry{Axis::x, on(Axis::x)},                  //
-                     Symmetry{Axis::y, on(Axis::y)},                  //
+  Explicit run{Scene{mesh.nodes,                               //
+                     Part{element, material, cells, erosion},  //
+                     InitialVelocity{{0, 0, -record.speed}},   //
+                     Symmetry{Axis::x, on(Axis::x)},           //
+                     Symmetry{Axis::y, on(Axis::y)},           //
                      RigidWall{{0, 0, 0}, {0, 0, 1}}},
                ExplicitOptions{.largest_step = edge / c}};
   record.elements = cells.size();
   const auto& part = run.template thing<0>();
+  const auto pressure = [&] { return part.field([](const auto& s) { return (-1e3 / 3) * trace(s.stress); }); };
   VtuSeries film{"bird"};
+  int pictured = 0;
   const std::clock_t begin = std::clock();
   const double end = 1.6 * record.squash_time;
   run.until(
       end, [&] { record.watch(run); }, Every{end / 200, [&] { record.sample(run); }},
-      Every{end / 20, [&] {
-              const auto pressure = part.field([](const auto& s) { return (-1e3 / 3) * trace(s.stress); });
-              film.write(run.time(), mesh, run.positions(), {}, {{"pressure", pressure}});
+      Every{end / 20,
+            [&] {
+              const std::vector<double> left = remaining(pressure(), part.alive());
+              film.write(run.time(), remaining(mesh, part.alive()), run.positions(), {}, {{"pressure [MPa]", left}});
+            }},
+      Every{0.35 * record.squash_time, [&] {
+              if (pictured++ == 1) draw(record, mesh, run.positions(), pressure(), part.alive(), run.time());
             }});
   record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   record.steps = run.steps(), record.deleted = part.deleted(), record.notices = run.notices();
   record.impulse = 4 * run.template thing<4>().impulse().z();
-}
-
-/// Exact for the steady flow of this water: int dp/rho = v^2/2.
-double stagnation_pressure(double speed) {
-  double p = 0, mu = 0;
-  for (double head = 0; head < 0.5 * speed * speed * 1e-6 * 1e6;) {
-    constexpr double d = 1e-6;
-    const double next = water.A(mu + d), step = (next - p) / (density * (1 + mu + 0.5 * d));
-    head += step, p = next, mu += d;
-  }
-  return p;
 }
 
 void report(const Record& r, const std::string& what) {
@@ -159,7 +184,7 @@ void report(const Record& r, const std::string& what) {
                .y = {.label = "force of the plate", .unit = "kN"}}};
   chart.curve("plate", r.times, r.forces);
   chart.write("force.svg");
-  std::printf("\nWritten: results.csv, history.csv, force.svg, bird.pvd (ParaView)\n");
+  std::printf("\nWritten: results.csv, history.csv, force.svg, bird.svg, bird.pvd (ParaView)\n");
 }
 
 }  // namespace
