@@ -121,7 +121,7 @@ void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vecto
                    .quantity = "pressure",
                    .unit = "MPa",
                    .from = {1, -2.5, 0.6},
-                   .mirror = {Axis::x, Axis::y},
+                   .mirror = {Axis::x},  // the other plane of symmetry is a section
                    .low = 0,
                    .high = 2e3 * stagnation_pressure(record.speed),
                    .length_unit = "mm"}};

@@ -2,6 +2,7 @@
 //
 //   build/bench/bench/verification                 all, some quarter of an hour on one core
 //   build/bench/bench/verification taylor          only those whose name contains a word
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -15,6 +16,7 @@
 #include "problems/revolutions.hpp"
 #include "problems/taylor_bar.hpp"
 #include "problems/taylor_tetrahedra.hpp"
+#include "problems/water_bird.hpp"
 #include "row.hpp"
 
 using namespace strike;
@@ -68,6 +70,20 @@ void many_revolutions(const char* name, const E& element) {
   row(name, "change of a stress of 0.01 E", {0, 1e-6}, norm_after(0.01) / 0.01 - 1, "of it");
 }
 
+/// How far it gets, and by what steps.
+void bird(const char* name, double share) {
+  auto run = water_bird::on_plate(Tet4{NodalPressure{share}}, 4);
+  const double first = run.stable_step().dt;
+  double least = first;
+  try {
+    run.until(1.1, [&] { least = std::min(least, run.stable_step().dt); });
+  } catch (const Error& error) {
+    std::printf("<!-- %s: %s -->\n", name, error.what());
+  }
+  row(name, "end", unknown, run.time(), "ms");
+  row(name, "least step", unknown, least / first, "of the first");
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -106,6 +122,8 @@ int main(int count, char** arguments) {
     on_mesh("of nodes", Tet4{NodalPressure{1.0}}, {7.1, 0.1});
     on_mesh("blend", Tet4{NodalPressure{0.9}}, unknown);
   }
+  if (is_wanted("D7 pressure of nodes")) bird("D7 pressure of nodes", 1.0);
+  if (is_wanted("D7 blend")) bird("D7 blend", 0.9);
   if (is_wanted("D8 Hex8")) many_revolutions("D8 Hex8", Hex8{});
   if (is_wanted("D2 undamped")) incompressible_cubes("D2 undamped");
   plates();
