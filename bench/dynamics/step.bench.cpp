@@ -1,8 +1,8 @@
 // What one whole step of the driver costs per element, copper with von Mises strength and linear hardening, all
 // energies, one thread: hexahedra with viscous hourglass control, bulk viscosity and the rotation of Hughes and Winget
-// at mid-step; plates of one layer with Simpson's five points, hourglass control, the warping of Belytschko, Wong and
-// Chiang, and drilling. per_element is the time of one element and step: 100,000 elements stream from memory, 1350 stay
-// in the cache.
+// at mid-step; tetrahedra with a blend of pressures; plates of one layer with Simpson's five points, hourglass control,
+// the warping of Belytschko, Wong and Chiang, and drilling. per_element is the time of one element and step: 100,000
+// elements stream from memory, 1350 stay in the cache.
 #include <array>
 #include <string>
 #include <utility>
@@ -12,8 +12,10 @@
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/element/plate4.hpp>
+#include <strike/element/tet4.hpp>
 #include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/mesh/tetrahedra.hpp>
 
 #include "../support/materials.hpp"
 #include "../support/squeezed_bar.hpp"
@@ -40,6 +42,13 @@ void hexahedra(benchmark::State& state, std::array<Index, 3> cells) {
         bar.hexahedra.size());
 }
 
+template <class T, class Pressure>
+void tetrahedra(benchmark::State& state, std::array<Index, 3> cells) {
+  const Mesh bar = tetrahedralized(bench::bar(cells));
+  steps(state, Explicit{Scene{bar.nodes, Part{Tet4{Pressure{}}, copper, bar.tetrahedra}, bench::Squeeze{}}, {}, in<T>},
+        bar.tetrahedra.size());
+}
+
 template <class T>
 void plates(benchmark::State& state, std::array<Index, 2> cells) {
   const Mesh sheet = bench::sheet(cells);
@@ -55,6 +64,8 @@ void in_both_sizes(const std::string& number) {
   };
   add("/100000 hexahedra", hexahedra<T>, std::array<Index, 3>{40, 50, 50});
   add("/1350 hexahedra", hexahedra<T>, std::array<Index, 3>{5, 6, 45});
+  add("/100000 tetrahedra", tetrahedra<T, NodalPressure>, std::array<Index, 3>{25, 26, 26});
+  add("/100000 tetrahedra, own pressure", tetrahedra<T, ElementPressure>, std::array<Index, 3>{25, 26, 26});
   add("/100000 plates", plates<T>, std::array<Index, 2>{400, 250});
   add("/1350 plates", plates<T>, std::array<Index, 2>{45, 30});
 }

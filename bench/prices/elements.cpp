@@ -37,6 +37,15 @@ Group elements() {
            hexahedra.of_element("Hex8Full, eight points", Hex8Full{})}};
 }
 
+Group tetrahedron_elements() {
+  const ElementPressure own{};
+  return {"Tetrahedron",
+          {tetrahedra.of_element("its own pressure", Tet4{own}),
+           tetrahedra.of_element("its own pressure, Jaumann", Tet4{own, Jaumann{}}),
+           tetrahedra.of_element("its own pressure, no bulk viscosity", Tet4{own, HughesWinget{}, NoBulkViscosity{}}),
+           tetrahedra.of_material("water", bench::water)}};
+}
+
 Group ledger() {
   const ExplicitOptions unbalanced{.energy_tolerance = std::numeric_limits<double>::infinity()};
   return {"Energy ledger, always there", {feature("without the works of the elements", [=] {

@@ -9,8 +9,10 @@
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/element/plate4.hpp>
+#include <strike/element/tet4.hpp>
 #include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/mesh/tetrahedra.hpp>
 
 #include "../support/materials.hpp"
 #include "../support/squeezed_bar.hpp"
@@ -110,6 +112,10 @@ inline const Solid copper{bench::linear, bench::hardening};
 inline const Mesh bar = bench::bar({40, 50, 50});
 inline const Usual hexahedra{bar.nodes, bar.hexahedra, Hex8{}, copper, bench::Squeeze{}};
 
+/// 101,400 tetrahedra, squeezed.
+inline const Mesh split_bar = tetrahedralized(bench::bar({25, 26, 26}));
+inline const Usual tetrahedra{split_bar.nodes, split_bar.tetrahedra, Tet4{}, copper, bench::Squeeze{}};
+
 /// 100,000 plates, stretched and bent.
 inline const Mesh sheet = bench::sheet({400, 250});
 inline const Usual plates{sheet.nodes, sheet.quadrilaterals, Plate4{},
@@ -124,6 +130,9 @@ Group numbers();
 Group conditions();
 Group outputs();
 Group ledger();
+
+// ... of tetrahedra, ...
+Group tetrahedron_elements();
 
 // ... and of plates.
 Group plate_sections();

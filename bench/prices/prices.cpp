@@ -87,6 +87,15 @@ squeezed so that every element yields.
             outputs(),
             ledger()}},
           {R"(
+## Tetrahedra
+
+The usual is the same bar of 101 400 `Tet4{}`, a blend of their own pressure and that of their nodes.
+)",
+           tetrahedra.itself("the usual"),
+           tetrahedra.cells.size(),
+           {{"The usual tetrahedron", {tetrahedra.itself("the usual tetrahedron against itself")}},
+            tetrahedron_elements()}},
+          {R"(
 ## Plates
 
 The usual is a sheet of 100 000 `Plate4{}` (hourglass control, the warping of Belytschko, Wong and Chiang, constant

@@ -2,10 +2,12 @@
 //
 //   build/bench/bench/verification                 all, some quarter of an hour on one core
 //   build/bench/bench/verification taylor          only those whose name contains a word
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <limits>
+#include <utility>
 
 #include <strike/contact/rigid_wall.hpp>
 #include <strike/element/hex8_full.hpp>
@@ -13,6 +15,8 @@
 #include "problems/free_cubes.hpp"
 #include "problems/revolutions.hpp"
 #include "problems/taylor_bar.hpp"
+#include "problems/taylor_tetrahedra.hpp"
+#include "problems/water_bird.hpp"
 #include "row.hpp"
 
 using namespace strike;
@@ -66,6 +70,20 @@ void many_revolutions(const char* name, const E& element) {
   row(name, "change of a stress of 0.01 E", {0, 1e-6}, norm_after(0.01) / 0.01 - 1, "of it");
 }
 
+/// How far it gets, and by what steps.
+void bird(const char* name, double share) {
+  auto run = water_bird::on_plate(Tet4{NodalPressure{share}}, 4);
+  const double first = run.stable_step().dt;
+  double least = first;
+  try {
+    run.until(1.1, [&] { least = std::min(least, run.stable_step().dt); });
+  } catch (const Error& error) {
+    std::printf("<!-- %s: %s -->\n", name, error.what());
+  }
+  row(name, "end", unknown, run.time(), "ms");
+  row(name, "least step", unknown, least / first, "of the first");
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -90,6 +108,22 @@ int main(int count, char** arguments) {
   usual("taylor 6x100", 6, {21.45, 0.03}, {7.18, 0.03}, {3.19, 0.06});
   full("taylor 6x100, fully integrated", 6);
   usual("taylor 9x150", 9, {21.434, 0.02}, {7.19, 0.02}, unknown);
+  const auto tetrahedra = [](const char* name, const auto& element, Index cells, Index layers, const Band& R) {
+    if (!is_wanted(name)) return;
+    auto run = taylor::bar_of_tetrahedra(element, cells, layers);
+    report_bar(name, run, unknown, R, unknown);
+  };
+  for (const auto& [name, layers] : {std::pair{"taylor tetrahedra 3x36", 36}, {"taylor tetrahedra 3x50", 50}}) {
+    const auto on_mesh = [&, name = name, layers = static_cast<Index>(layers)](const char* pressure,
+                                                                               const auto& element, const Band& R) {
+      tetrahedra(strike::detail::joined({name, ", ", pressure}).c_str(), element, 3, layers, R);
+    };
+    on_mesh("own pressure", Tet4{ElementPressure{}}, {4.8, 0.7});
+    on_mesh("of nodes", Tet4{NodalPressure{1.0}}, {7.1, 0.1});
+    on_mesh("blend", Tet4{NodalPressure{0.9}}, unknown);
+  }
+  if (is_wanted("D7 pressure of nodes")) bird("D7 pressure of nodes", 1.0);
+  if (is_wanted("D7 blend")) bird("D7 blend", 0.9);
   if (is_wanted("D8 Hex8")) many_revolutions("D8 Hex8", Hex8{});
   if (is_wanted("D2 undamped")) incompressible_cubes("D2 undamped");
   plates();

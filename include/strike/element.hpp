@@ -12,3 +12,4 @@
 #include <strike/element/plate_warping.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
+#include <strike/element/tet4.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/mesh/bird.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/canopy.hpp>
 #include <strike/mesh/check.hpp>
@@ -6,7 +7,9 @@
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/mixed_cells.hpp>
 #include <strike/mesh/order.hpp>
+#include <strike/mesh/remaining.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
 #include <strike/mesh/surface.hpp>

@@ -201,7 +201,9 @@ class Explicit {
 
   void choose_step() {
     const double before = step_.dt;
-    double dt = std::min(options_.step_factor * stable_.dt, options_.largest_step);
+    if (std::isfinite(stable_.dt)) bounded_ = stable_.dt;  // and while nothing is left that resists, as before
+    double dt = std::min(options_.step_factor * bounded_, options_.largest_step);
+    if (!std::isfinite(dt)) stop("no element is left that bounds the step; give a `.largest_step`");
     if (step_.number == 0) smallest_step_ = options_.smallest_step > 0 ? options_.smallest_step : 1e-6 * dt;
     if (!(dt > smallest_step_))
       stop(detail::joined({"the time step has fallen to ", detail::text(dt), " because of ", culprit(),
@@ -352,7 +354,21 @@ class Explicit {
         if (mine.dt < stable_.dt) stable_ = mine;
       }
     });
+    tell_deleted();
     bound_.extend(stable_, nodes_, things_, execution_);
+  }
+
+  /// Those who want to know learn which elements are left.
+  void tell_deleted() {
+    each([&](const auto& part) {
+      if constexpr (requires { part.newly_deleted(); }) {
+        if (part.newly_deleted() == 0) return;
+        const std::vector<bool> alive = part.alive();
+        each([&](auto& thing) {
+          if constexpr (requires { thing.remove(part.number(), alive); }) thing.remove(part.number(), alive);
+        });
+      }
+    });
   }
 
   void push() {
@@ -395,6 +411,7 @@ class Explicit {
   Energy energy_;
   Step step_;
   StableStep stable_;
+  double bounded_ = std::numeric_limits<double>::infinity();  // the last stable step of an element
   double smallest_step_ = 0;
   double rounding_ = 0;  // energy times time^2 of all nodes that move by the spacing of the numbers
   Clock clock_;

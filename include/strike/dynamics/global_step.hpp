@@ -89,8 +89,8 @@ template <class Thing>
 struct AskedBlocksOf {
   using type = NoPart;
 };
-template <class E, class M, class T, class Nodes>
-struct AskedBlocksOf<RunningPart<E, M, T, Nodes>> {
+template <class E, class M, class T, class Nodes, class Removal>
+struct AskedBlocksOf<RunningPart<E, M, T, Nodes, Removal>> {
   using type = std::vector<AskedBlock<E, T>>;
 };
 template <class Things>
@@ -241,7 +241,8 @@ class GlobalStep::Running {
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
     each_part(things, [&](const auto& part, const auto&) {
       for (std::size_t b = 0; b < part.blocks().size(); ++b) {
-        const auto& [corners, state] = part.blocks()[b];
+        const auto& corners = part.blocks()[b].nodes;
+        const auto& state = part.blocks()[b].state;
         for (std::size_t l = 0; l < part.count(b); ++l)
           if (static_cast<double>(lane(state.own_rate, l)) * target > 1)
             for (const auto& corner : corners) near[place(corner[l])] = true;

@@ -7,8 +7,10 @@
 #include <type_traits>
 #include <vector>
 
+#include <strike/dynamics/erosion.hpp>
 #include <strike/dynamics/gather.hpp>
 #include <strike/dynamics/ledger.hpp>
+#include <strike/dynamics/nodal_volume.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
@@ -31,9 +33,12 @@ concept HasKinematics = requires {
 };
 
 /// What is wrong with a part, asked in this order.
-enum class Flaw { none, reported, element, material, pair, corners, material_members, element_members };
+enum class Flaw { none, reported, element, material, pair, corners, material_members, element_members, removal };
 
-template <class E, class M, std::size_t n>
+template <class R>
+inline constexpr bool is_removal = std::same_as<R, NoErosion> || std::same_as<R, Erosion>;
+
+template <class E, class M, std::size_t n, class Removal>
 constexpr Flaw flaw() {
   if constexpr (!HasNodesAndKinematics<E>)
     return Flaw::element;
@@ -49,16 +54,18 @@ constexpr Flaw flaw() {
     return Flaw::material_members;
   else if constexpr (!Element<E, M>)
     return Flaw::element_members;
+  else if constexpr (!is_removal<Removal>)
+    return Flaw::removal;
   else
     return Flaw::none;
 }
 
 }  // namespace detail
 
-/// The elements of one kind and one material in a scene.
-template <class E, class M, std::size_t n = 8>
+/// The elements of one kind and one material in a scene, and when they are deleted, if they are.
+template <class E, class M, std::size_t n = 8, class Removal = NoErosion>
 struct Part {
-  static constexpr detail::Flaw flaw = detail::flaw<E, M, n>();
+  static constexpr detail::Flaw flaw = detail::flaw<E, M, n, Removal>();
   static_assert(flaw != detail::Flaw::element, "strike: the first piece of a Part is its element, such as Hex8{}.");
   static_assert(flaw != detail::Flaw::material,
                 "strike: the second piece of a Part is its material, such as Solid{...} or Elastic{...}.");
@@ -75,13 +82,18 @@ struct Part {
       flaw != detail::Flaw::element_members,
       "strike: this element lacks one of State<M, T>, begin(state, material, x) and advance(state, material, x, v, "
       "dt), or it returns another type; see strike/element/element.hpp.");
+  static_assert(flaw != detail::Flaw::removal,
+                "strike: the fourth piece of a Part is when its elements are deleted, such as Erosion{.strain = 5}.");
 
   E element;
   M material;
   Cells<n> cells;
+  [[no_unique_address]] Removal removal{};
 };
 template <class E, class M, std::size_t n>
 Part(E, M, std::vector<std::array<Index, n>>) -> Part<E, M, n>;
+template <class E, class M, std::size_t n, class Removal>
+Part(E, M, std::vector<std::array<Index, n>>, Removal) -> Part<E, M, n, Removal>;
 
 /// The least stable step of some elements and the element that has it.
 struct StableStep {
@@ -91,22 +103,26 @@ struct StableStep {
 };
 
 /// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
-template <class E, class M, class T, class Nodes = strike::Nodes<RealOf<T>, RealOf<T>, turns_nodes<E>()>>
+template <class E, class M, class T, class Nodes = strike::Nodes<RealOf<T>, RealOf<T>, turns_nodes<E>()>,
+          class Removal = NoErosion>
 class RunningPart {
  public:
   static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
   static constexpr std::size_t width = lanes<T>;
+  static constexpr bool erodes = std::same_as<Removal, Erosion>;
   using State = typename E::template State<M, T>;
 
   struct Block {
     BlockNodes<n, width> nodes;
     State state;
+    [[no_unique_address]] typename Removal::template Block<T> removal{};
   };
 
   /// `order` names every element once, in the order in which they are to lie in memory.
-  RunningPart(Part<E, M, n> part, Nodes& nodes, std::size_t number, std::vector<Index> order)
+  RunningPart(Part<E, M, n, Removal> part, Nodes& nodes, std::size_t number, std::vector<Index> order)
       : element_(std::move(part.element)),
         material_(std::move(part.material)),
+        removal_(part.removal),
         size_(part.cells.size()),
         number_(number),
         order_(std::move(order)) {
@@ -127,6 +143,14 @@ class RunningPart {
       patches_.load(patches_[p], nodes);
       for (std::size_t b = patches_[p].first_block; b < patches_[p].last_block; ++b) begin(b, nodes);
     }
+    if constexpr (averages_volume) {
+      volume_ = Volume(nodes.places());
+      for (std::size_t p = 0; p < patches_.size(); ++p) {
+        patches_.load(patches_[p], nodes);
+        add_volumes(patches_[p], nodes.motion());
+      }
+      volume_.begin(patches_);
+    }
   }
 
   /// Advances every element over the step dt that led to the present positions, adds its forces to the nodes and its
@@ -134,14 +158,23 @@ class RunningPart {
   /// then.
   template <class Execution>
   StableStep deform(Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+    if constexpr (averages_volume) {
+      volume_.clear();
+      execution.for_each(patches_.size(), [&](std::size_t p) {
+        patches_.load(patches_[p], nodes);
+        add_volumes(patches_[p], nodes.motion());
+      });
+      volume_.update(patches_);
+    }
     execution.for_each(patches_.size(), [&](std::size_t p) {
-      patches_.load(patches_[p], nodes);
+      if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
       outcomes_[p] = advance(patches_[p], nodes.motion(), dt);
       patches_.store(patches_[p], nodes);
     });
     patches_.store_ghosts(nodes, execution);
 
     StableStep stable{.part = number_};
+    [[maybe_unused]] Tally deleted{};
     double internal = 0, hourglass = 0, bulk_viscosity = 0;
     for (const Outcome& outcome : outcomes_) {
       if (!(outcome.inverted_volume > 0)) explain_inversion(nodes, outcome.inverted, outcome.inverted_volume);
@@ -150,6 +183,13 @@ class RunningPart {
       internal += outcome.internal_work;
       hourglass += outcome.hourglass_work;
       bulk_viscosity += outcome.bulk_viscosity_work;
+      if constexpr (erodes) deleted.deleted += outcome.deleted, deleted.energy += outcome.energy;
+    }
+    if constexpr (erodes) {
+      newly_deleted_ = deleted;
+      deleted_ += deleted.deleted;
+      ledger.internal.book(-deleted.energy);
+      ledger.eroded.book(deleted.energy);
     }
     ledger.internal.book(internal);
     ledger.hourglass.book(hourglass);
@@ -157,8 +197,26 @@ class RunningPart {
     return stable;
   }
 
-  /// What the user should know of the material, if anything: one sentence.
+  /// What the user should know of the material and of what was deleted, if anything: a sentence each.
   std::string notice() const {
+    std::string text = material_notice();
+    if constexpr (erodes)
+      if (deleted() > 0)
+        text += detail::joined({text.empty() ? "" : " ", std::to_string(deleted()), " of ", std::to_string(size_),
+                                " elements of part ", std::to_string(number_), " have been deleted."});
+    return text;
+  }
+  /// How many elements have been deleted, and in the last step.
+  std::size_t deleted() const requires erodes { return deleted_; }
+  std::size_t newly_deleted() const requires erodes { return newly_deleted_.deleted; }
+  /// Whether an element is there, by the numbers as given.
+  std::vector<bool> alive() const requires erodes {
+    std::vector<bool> alive(size_);
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      for (std::size_t l = 0; l < count(b); ++l) alive[order_[b * width + l]] = lane(blocks_[b].removal.alive, l) > 0;
+    return alive;
+  }
+  std::string material_notice() const {
     if constexpr (requires { material_.notice(0.0); })  // of a section: over half waves of four elements
       return material_.notice(4 * std::sqrt(mass_ / material_.density() / static_cast<double>(size_)));
     else if constexpr (requires { material_.notice(); })
@@ -167,15 +225,7 @@ class RunningPart {
       return {};
   }
   /// The internal energy that a material has before anything deforms it, such as that of a gas under pressure.
-  double stored_energy() const {
-    typename M::template State<double> state{};
-    if constexpr (requires { state.internal_energy; }) {
-      if constexpr (requires { material_.begin(state); }) material_.begin(state);
-      return mass_ / material_.density() * state.internal_energy;
-    } else {
-      return 0;
-    }
-  }
+  double stored_energy() const { return stored_energy(mass_); }
   /// Its place among the parts of the scene, from 0.
   std::size_t number() const { return number_; }
   std::size_t size() const { return size_; }
@@ -216,11 +266,26 @@ class RunningPart {
     }
     return values;
   }
+  using Tally = typename Removal::Tally;
+
+  /// Of the material of a mass.
+  template <class Number>
+  Number stored_energy(const Number& mass) const {
+    typename M::template State<double> state{};
+    if constexpr (requires { state.internal_energy; }) {
+      if constexpr (requires { material_.begin(state); }) material_.begin(state);
+      return mass * (state.internal_energy / material_.density());
+    } else {
+      return (void)mass, Number(0.0);
+    }
+  }
+
   /// Sets the elements of a block at rest and gives their masses to the nodes.
   void begin(std::size_t b, Nodes& nodes) {
     Block& block = blocks_[b];
     const auto given = element_.begin(block.state, material_, gather<T, n>(nodes.motion().position, block.nodes));
     const T mass = mass_of(given);
+    if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * mass);
     for (std::size_t l = 0; l < count(b); ++l) {
       check_resolution(nodes, b * width + l);
       if (!(lane(mass, l) > 0))
@@ -236,9 +301,10 @@ class RunningPart {
 
   /// Asks for a block before its turn: what streams from memory comes late if the machine guesses alone. Inline always:
   /// g++ finds that a function which only asks does nothing, and leaves out its calls.
-  [[gnu::always_inline]] static void prefetch(const Block& block) {
-    const char* begin = reinterpret_cast<const char*>(&block);
-    for (std::size_t line = 0; line < sizeof(Block) / 64; ++line) __builtin_prefetch(begin + 64 * line, 1);
+  template <class Data>
+  [[gnu::always_inline]] static void prefetch(const Data& data) {
+    const char* begin = reinterpret_cast<const char*>(&data);
+    for (std::size_t line = 0; line < sizeof(Data) / 64; ++line) __builtin_prefetch(begin + 64 * line, 1);
   }
 
   static T mass_of(const T& mass) { return mass; }
@@ -261,7 +327,7 @@ class RunningPart {
   };
 
   /// What a patch tells after a step; elements by their places.
-  struct Outcome {
+  struct Outcome : Tally {
     double critical_rate = 0, inverted_volume = 1;
     std::size_t slowest = 0, inverted = 0;
     double internal_work = 0, hourglass_work = 0, bulk_viscosity_work = 0;
@@ -271,21 +337,29 @@ class RunningPart {
     T rate = T(0.0), slowest = T(0.0);
     T inverted_volume = T(1.0), inverted = T(0.0);
     T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
+    Outcome outcome;
     Local<E> element = element_;
     Local<M> material = material_;
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
       Block& block = blocks_[b];
       prefetch(blocks_[std::min(b + 2, blocks_.size() - 1)]);
-      std::conditional_t<state_is_small, State, State&> state = block.state;
+      if constexpr (erodes)
+        if (!any(block.removal.alive > 0.0)) continue;
+      std::conditional_t<state_is_small || erodes, State, State&> state = block.state;
       const Nodal<T, E::nodes> x = gather<T, n>(motion.position, block.nodes);
       const Velocities v{motion, block.nodes};
-      const Response<T, motions<E>> response = [&] {
-        if constexpr (requires { element.advance(state, material, x, v, dt); })
+      std::conditional_t<erodes, Response<T, motions<E>>, const Response<T, motions<E>>> response = [&] {
+        if constexpr (averages_volume)
+          return element.advance(state, material, x, Vectors(v), volume_.template mean<T, n>(block.nodes), dt);
+        else if constexpr (requires { element.advance(state, material, x, v, dt); })
           return element.advance(state, material, x, v, dt);
         else
           return element.advance(state, material, x, Vectors(v), dt);
       }();
-      if constexpr (state_is_small) block.state = state;
+      if constexpr (erodes)
+        erode(block, state, response, v, dt, b, outcome);
+      else if constexpr (state_is_small)
+        block.state = state;
       scatter_subtract<T, n>(response.force, motion.force, block.nodes, count(b));
       if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(response.force, motion.moment, block.nodes, count(b), n);
 
@@ -301,7 +375,6 @@ class RunningPart {
       bulk_viscosity += mine * response.bulk_viscosity_work;
     }
 
-    Outcome outcome;
     for (std::size_t l = 0; l < width; ++l) {
       const auto element_of = [&](const T& block) {
         return std::min((patch.first_block + static_cast<std::size_t>(lane(block, l))) * width + l, size_ - 1);
@@ -315,6 +388,52 @@ class RunningPart {
     outcome.hourglass_work = static_cast<double>(reduce_sum(hourglass));
     outcome.bulk_viscosity_work = static_cast<double>(reduce_sum(bulk_viscosity));
     return outcome;
+  }
+
+  /// Deletes what is beyond the limits, and keeps the state that it had before. In its last step the forces at the
+  /// begin have done their half of the work, and those at the end do none.
+  void erode(Block& block, const State& state, Response<T, motions<E>>& response, const Vectors& v, double dt,
+             std::size_t b, Tally& deleted) const {
+    auto& removal = block.removal;
+    if (!(dt > 0)) removal.initial_volume = response.volume;
+    const auto there = removal.alive > 0.0;
+    const auto stays = there && removal_.keeps(removal, state, response);
+    if (all(stays)) {
+      block.state = state;
+      removal.energy += response.internal_work;
+      return;
+    }
+    const T last = response.internal_work - 0.5 * dt * response.force.cwiseProduct(v).sum();
+    const T finite = select(abs(last) <= std::numeric_limits<RealOf<T>>::max(), last, T(0.0));
+    silence(stays, response);
+    response.internal_work = select(stays, response.internal_work, select(there, finite, T(0.0)));
+    removal.energy += response.internal_work;
+    const T left = select(stays, T(1.0), T(0.0));
+    for (std::size_t l = 0; l < count(b); ++l)
+      if (lane(left, l) < lane(removal.alive, l))
+        ++deleted.deleted, deleted.energy += static_cast<double>(lane(removal.energy, l));
+    removal.alive = left;
+    const auto now = numbers_of<T>(state);
+    auto kept = numbers_of<T>(block.state);
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = select(stays, now[i], kept[i]);
+    if constexpr (requires { block.state.own_rate; })
+      block.state.own_rate = select(stays, block.state.own_rate, T(0.0));
+  }
+
+  void add_volumes(const detail::Patch& patch, const Motion& motion) {
+    for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
+      const Block& block = blocks_[b];
+      prefetch(blocks_[std::min(b + 4, blocks_.size() - 1)].nodes);
+      const T V = element_.volume(gather<T, n>(motion.position, block.nodes));
+      if constexpr (loses_elements) {
+        T share = intact_share<T>(material_, block.state.material);
+        if constexpr (erodes) share = share * block.removal.alive;
+        volume_.template add<T, n>(select(share > 0.0, V, T(0.0)), share / block.state.inverse_volume, block.nodes,
+                                   count(b));
+      } else {
+        volume_.template add<T, n>(V, block.nodes, count(b));
+      }
+    }
   }
 
   // Elements are known by their places, lane after lane and block after block, but for what the user sees.
@@ -333,6 +452,8 @@ class RunningPart {
                            detail::text((1.0 / static_cast<double>(n)) * sum)});
   }
 
+  static constexpr bool averages_volume = requires { requires E::averages_volume; }
+  , loses_elements = erodes || requires(const M m, const State s) { m.intact(s.material); };
   /// A state whose numbers may stay in registers while its element works on them.
   static constexpr bool state_is_small = sizeof(State) < 32 * sizeof(T);
 
@@ -383,6 +504,7 @@ class RunningPart {
 
   E element_;
   M material_;
+  [[no_unique_address]] Removal removal_;
   std::size_t size_;
   std::size_t number_;
   std::vector<Index> order_;
@@ -390,6 +512,12 @@ class RunningPart {
   std::vector<Block> blocks_;
   detail::Patches patches_;
   std::vector<Outcome> outcomes_;
+  struct NoVolume {};
+  struct NoCount {};
+  using Volume = detail::NodalVolume<RealOf<T>, loses_elements>;
+  [[no_unique_address]] std::conditional_t<averages_volume, Volume, NoVolume> volume_;
+  [[no_unique_address]] Tally newly_deleted_{};
+  [[no_unique_address]] std::conditional_t<erodes, std::size_t, NoCount> deleted_{};
 };
 
 }  // namespace strike

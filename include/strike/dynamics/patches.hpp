@@ -118,10 +118,12 @@ class Patches {
   /// their nodes have and clears the product, ...
   template <class Field>
   void refresh(const Patch& patch, Field& field, Field& product) const {
-    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) {
-      field[g] = field[sources_[g - first_ghost_]];
-      product[g] = 0;
-    }
+    refresh(patch, field);
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) product[g] = 0;
+  }
+  template <class Field>
+  void refresh(const Patch& patch, Field& field) const {
+    for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) field[g] = field[sources_[g - first_ghost_]];
   }
   /// ... and adds the product at them to that at their nodes, if patch after patch then as the forces.
   template <class Field>

@@ -11,13 +11,13 @@ namespace detail {
 
 template <class Thing>
 inline constexpr bool is_part = false;
-template <class E, class M, std::size_t n>
-inline constexpr bool is_part<Part<E, M, n>> = true;
+template <class E, class M, std::size_t n, class R>
+inline constexpr bool is_part<Part<E, M, n, R>> = true;
 
 template <class Thing>
 inline constexpr bool turns_nodes_of = false;
-template <class E, class M, std::size_t n>
-inline constexpr bool turns_nodes_of<Part<E, M, n>> = turns_nodes<E>();
+template <class E, class M, std::size_t n, class R>
+inline constexpr bool turns_nodes_of<Part<E, M, n, R>> = turns_nodes<E>();
 
 template <class Thing>
 concept HasAVerb = requires(Thing thing, Nodes<double> nodes) {
@@ -25,7 +25,8 @@ concept HasAVerb = requires(Thing thing, Nodes<double> nodes) {
 }
 || requires(Thing thing, Nodes<double> nodes) { thing.push(nodes, 0.0); }
 || requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.constrain(nodes, step, ledger); }
-|| requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.touch(nodes, step, ledger); };
+|| requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.touch(nodes, step, ledger); }
+|| requires(Thing thing, std::vector<bool> alive) { thing.remove(std::size_t{}, alive); };
 
 template <class Thing>
 constexpr bool is_sound() {
@@ -45,13 +46,15 @@ constexpr bool is_sound() {
 /// - `push(nodes, time)`: adds forces; `power(nodes)`: what these do at the present velocities;
 /// - `constrain(nodes, step, ledger)`: gives the velocities of the step to come along the directions that the thing has
 ///   taken from its nodes by `nodes.hold` in `begin`;
-/// - `touch(nodes, step, ledger)`: contact; corrects the velocities along what directions are `nodes.free`.
+/// - `touch(nodes, step, ledger)`: contact; corrects the velocities along what directions are `nodes.free`;
+/// - `remove(part, alive)`: after a `deform` that has deleted elements, once for each such part, given by its number;
+///   `alive[e]` says whether its element e is there.
 template <class... Things>
 struct Scene {
   static_assert(
       ((detail::is_part<Things> || detail::HasAVerb<Things>)&&...),
       "strike: one of the things in this Scene is neither a Part nor has one of the verbs begin(nodes), push(nodes, "
-      "time), constrain(nodes, step, ledger) and touch(nodes, step, ledger).");
+      "time), constrain(nodes, step, ledger), touch(nodes, step, ledger) and remove(part, alive).");
   static_assert((detail::is_part<Things> || ...), "strike: a Scene needs at least one Part.");
   /// Whether any of its elements turns its nodes.
   static constexpr bool nodes_turn = (detail::turns_nodes_of<Things> || ...);
@@ -69,9 +72,9 @@ namespace detail {
 
 template <class Bound, class Thing>
 inline constexpr bool is_bounded_thing = true;
-template <class Bound, class E, class M, std::size_t n>
-requires(Part<E, M, n>::flaw ==
-         Flaw::none) inline constexpr bool is_bounded_thing<Bound, Part<E, M, n>> = Bound::template suits<E, M>;
+template <class Bound, class E, class M, std::size_t n, class R>
+requires(Part<E, M, n, R>::flaw ==
+         Flaw::none) inline constexpr bool is_bounded_thing<Bound, Part<E, M, n, R>> = Bound::template suits<E, M>;
 /// Whether the bound of the step has what it needs from every part.
 template <class Bound, class... Things>
 inline constexpr bool is_bounded = (is_bounded_thing<Bound, Things> && ...);
@@ -82,16 +85,16 @@ struct Running {
   using type = Thing;
   static Thing start(Thing thing, Nodes&, std::vector<std::vector<Index>>&, std::size_t&) { return thing; }
 };
-template <class E, class M, std::size_t n, class Numbers, class Nodes, class Bound>
-struct Running<Part<E, M, n>, Numbers, Nodes, Bound> {
+template <class E, class M, std::size_t n, class R, class Numbers, class Nodes, class Bound>
+struct Running<Part<E, M, n, R>, Numbers, Nodes, Bound> {
   using RunningElement = typename Bound::template Element<E>;
   using RunningMaterial = typename Bound::template Material<M>;
-  using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, Nodes>;
-  static type start(Part<E, M, n> part, Nodes& nodes, std::vector<std::vector<Index>>& orders, std::size_t& number) {
+  using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, Nodes, R>;
+  static type start(Part<E, M, n, R> part, Nodes& nodes, std::vector<std::vector<Index>>& orders, std::size_t& number) {
     const std::size_t mine = number++;
-    return type(
-        {RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)}, std::move(part.cells)},
-        nodes, mine, std::move(orders[mine]));
+    return type({RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)},
+                 std::move(part.cells), part.removal},
+                nodes, mine, std::move(orders[mine]));
   }
 };
 

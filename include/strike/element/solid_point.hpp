@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include <strike/element/element.hpp>
 
 namespace strike {
@@ -11,15 +13,21 @@ struct PointResponse {
 };
 
 /// Advances the material at a point of an element, its tensors already turned, over the step dt that changed the
-/// point's volume by dV to V.
+/// point's volume by dV to V. The work is done on D: that of the rate, but where an element strains its material
+/// otherwise than its nodes move.
 template <class M, class State, class T>
 PointResponse<T> advance_point(const M& material, State& state, const SolidKinematics::Rate<T>& rate, double dt,
-                               const T& V, const T& dV) {
+                               const T& V, const T& dV, const SymmetricTensor<T>& D) {
   SymmetricTensor<T> before = material.stress(state);
   const SymmetricTensor<T> sigma = material.stress(state, rate, dt);
   if constexpr (requires { material.viscosity(); })  // what a material does not remember was the same before the step
     before += sigma - material.stress(state);
-  return {sigma, 0.5 * dt * double_dot(T(V - dV) * before + V * sigma, rate.rate_of_deformation)};
+  return {sigma, 0.5 * dt * double_dot(T(V - dV) * before + V * sigma, D)};
+}
+template <class M, class State, class T>
+PointResponse<T> advance_point(const M& material, State& state, const SolidKinematics::Rate<T>& rate, double dt,
+                               const T& V, const T& dV) {
+  return advance_point(material, state, rate, dt, V, dV, rate.rate_of_deformation);
 }
 
 /// 1, or 0 where the material has failed.
@@ -37,13 +45,15 @@ void heat(State& state, const T& energy) {
   if constexpr (requires { state.internal_energy; }) state.internal_energy += energy;
 }
 
-/// What has failed neither pushes nor limits the step, however distorted it is.
+/// What has failed neither pushes nor limits the step, however distorted it is. In the step in which it fails the
+/// stress before has done its half of the work.
 template <class Flag, class T, int n>
 void silence(const Flag& intact, Response<T, n>& response) {
   response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();
   response.volume = select(intact, response.volume, T(1.0));
   response.critical_rate = select(intact, response.critical_rate, T(0.0));
-  response.internal_work = select(intact, response.internal_work, T(0.0));
+  response.internal_work =
+      select(abs(response.internal_work) <= std::numeric_limits<RealOf<T>>::max(), response.internal_work, T(0.0));
   response.hourglass_work = select(intact, response.hourglass_work, T(0.0));
   response.bulk_viscosity_work = select(intact, response.bulk_viscosity_work, T(0.0));
 }

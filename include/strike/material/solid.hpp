@@ -59,9 +59,14 @@ struct Solid {
     const T p_old = (-1.0 / 3.0) * trace(state.stress);
     const T dv = volume_increment<T>(J, dt * trace(D));
 
-    const SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt);
+    SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt);
     const T deviatoric_work = (J - 0.5 * dv) * (0.5 * double_dot(s_old + s, d));
-    const T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
+    T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
+    if constexpr (requires { state.solid; }) {
+      state.solid = select(failure.fails(equivalent_stress(s), state), T(0.0), state.solid);
+      s = state.solid * s;
+      p = select(state.solid > 0.0, p, max(p, T(0.0)));
+    }
     state.stress = s - SymmetricTensor<T>::isotropic(p);
     if constexpr (requires { state.intact; }) {
       state.intact = select(failure.fails(equivalent_stress(s), state), T(0.0), state.intact);

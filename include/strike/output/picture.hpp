@@ -73,6 +73,9 @@ class Picture {
     add(faces, positions, values, sides, on_plane, {1, 1, 1}, 0);
   }
 
+  /// Adds nodes that no element holds any more as small circles.
+  void add_particles(std::span<const Eigen::Vector3d> positions) { add_particles(positions, {1, 1, 1}, 0); }
+
   /// Marks a place with a dot, on top of everything, and a label beside it.
   void mark(const Eigen::Vector3d& place, std::string label = {}) { marks_.push_back({place, std::move(label)}); }
 
@@ -109,7 +112,7 @@ class Picture {
   }
 
  private:
-  /// A face in the picture.
+  /// A face in the picture, or of size 1 a particle.
   struct Patch {
     std::array<Eigen::Vector3d, 4> corners;  // projected
     std::size_t size;
@@ -182,6 +185,21 @@ class Picture {
     }
   }
 
+  void add_particles(std::span<const Eigen::Vector3d> positions, const Eigen::Vector3d& sign, std::size_t first_plane) {
+    for (const Eigen::Vector3d& x : positions) {
+      Patch patch{};
+      patch.corners[0] = projected(reflected(x, sign));
+      patch.size = 1;
+      patch.depth = patch.corners[0][2];
+      patches_.push_back(patch);
+    }
+    for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
+      Eigen::Vector3d image = sign;
+      image[static_cast<Eigen::Index>(options_.mirror[plane])] *= -1;
+      add_particles(positions, image, plane + 1);
+    }
+  }
+
   /// Lies in a plane of symmetry, so that it is inside the whole body.
   bool is_cut(const Face& face, std::span<const Eigen::Vector3d> positions, double on_plane) const {
     return std::any_of(options_.mirror.begin(), options_.mirror.end(), [&](Axis axis) {
@@ -201,6 +219,13 @@ class Picture {
     svg.open("g",
              {{"stroke", "#000000"}, {"stroke-opacity", ".28"}, {"stroke-width", ".5"}, {"stroke-linejoin", "round"}});
     for (const Patch* patch : order) {
+      if (patch->size == 1) {
+        svg.element("circle", {{"cx", std::round(10 * frame.x(patch->corners[0])) / 10},
+                               {"cy", std::round(10 * frame.y(patch->corners[0])) / 10},
+                               {"r", 1.6},
+                               {"fill", "#ffffff"}});
+        continue;
+      }
       const Colour colour = patch->plain ? Colour{0.86, 0.01, 250}
                                          : options_.colours(high > low ? (patch->value - low) / (high - low) : 0);
       std::string path;

@@ -47,4 +47,23 @@ struct FailureStrain {
   }
 };
 
+/// What has failed by a criterion is a fluid from then on: it carries no change of shape and no tension, but the
+/// pressure of its equation of state, and its elements go on.
+///   Solid{eos, strength, BecomesFluid{UltimateStress{20e3}}}
+template <FailureCriterion Criterion>
+struct BecomesFluid {
+  Criterion criterion;
+
+  template <class T>
+  struct State {
+    T solid{1.0};  ///< 1, or 0 once failed
+  };
+  template <class T, class S>
+  auto fails(const T& equivalent_stress, const S& state) const {
+    return criterion.fails(equivalent_stress, state);
+  }
+};
+template <class Criterion>
+BecomesFluid(Criterion) -> BecomesFluid<Criterion>;
+
 }  // namespace strike

@@ -1,0 +1,189 @@
+#pragma once
+#include <concepts>
+#include <type_traits>
+
+#include <strike/element/bulk_viscosity.hpp>
+#include <strike/element/element.hpp>
+#include <strike/element/solid_point.hpp>
+#include <strike/element/stable_step.hpp>
+#include <strike/tensor/rotation.hpp>
+
+namespace strike {
+
+/// The gradient of the linear tetrahedron from the edges that leave its first corner, a, b and c:
+///   6 V = a . b x c,   g_k = d(6 V)/d x_k = b x c, c x a, a x b at the others, and minus their sum at the first.
+template <class T>
+struct Tet4Gradient {
+  Vector3<T> g1, g2, g3;
+  T volume;
+
+  explicit Tet4Gradient(const Nodal<T, 4>& x) {
+    const Vector3<T> x0 = column(x, 0), a = column(x, 1) - x0, b = column(x, 2) - x0, c = column(x, 3) - x0;
+    g1 = cross(b, c), g2 = cross(c, a), g3 = cross(a, b);
+    volume = T(1.0 / 6.0) * dot(a, g1);
+  }
+
+  Vector3<T> g0() const { return -(g1 + g2 + g3); }
+
+  /// L_ij = du_i/dx_j = sum_k (u_k - u_0) (x) g_k/(6 V).
+  Matrix3<T> gradient_of(const Nodal<T, 4>& u, const T& per_volume) const {
+    const Vector3<T> u0 = column(u, 0);
+    Matrix3<T> L = outer<T>(column(u, 1) - u0, g1);
+    add_outer<T>(L, column(u, 2) - u0, g2), add_outer<T>(L, column(u, 3) - u0, g3);
+    return T(T(1.0 / 6.0) * per_volume) * L;
+  }
+  /// 36 B_iI B_jI.
+  SymmetricTensor<T> squared() const {
+    return outer_square(g1) + outer_square(g2) + outer_square(g3) + outer_square(g0());
+  }
+  /// f_I = sigma g_I/6.
+  Nodal<T, 4> forces_of(const SymmetricTensor<T>& sigma) const {
+    const SymmetricTensor<T> sixth = T(1.0 / 6.0) * sigma;
+    const Vector3<T> f1 = sixth * g1, f2 = sixth * g2, f3 = sixth * g3;
+    Nodal<T, 4> f;
+    set_column(f, 0, -(f1 + f2 + f3)), set_column(f, 1, f1), set_column(f, 2, f2), set_column(f, 3, f3);
+    return f;
+  }
+};
+
+// What a tetrahedron takes for its change of volume, of which a mesh of them has more than its nodes can follow:
+// without a mean over neighbours it locks where volume can hardly change.
+
+/// Its own: standard tetrahedra. A Taylor bar of them spreads by little more than half of what it should.
+struct ElementPressure {};
+
+/// A share of the mean over its nodes, J = share mean(J_a) + (1 - share) V/V0, where a node's is that of all tetrahedra
+/// at it, J_a = sum V/sum V0 (Bonet and Burton 1998: share 1, for metals). What has no strength needs some of its own.
+struct NodalPressure {
+  double share = 0.9;
+};
+
+/// The four-node tetrahedron of constant strain. Policies: where its pressure comes from, rotation of the stress, bulk
+/// viscosity, and where in the step the motion is measured.
+///   Tet4{}   Tet4{NodalPressure{1.0}}   Tet4{ElementPressure{}, Jaumann{}, NoBulkViscosity{}}
+template <class Pressure = NodalPressure, class Spin = HughesWinget, class Viscosity = BulkViscosity,
+          class Instant = MidStep>
+struct Tet4 {
+  static constexpr bool averages_volume = std::same_as<Pressure, NodalPressure>,
+                        has_pressure = averages_volume || std::same_as<Pressure, ElementPressure>,
+                        has_rotation = Rotation<Spin>, sound = has_pressure && has_rotation;
+  static_assert(has_pressure,
+                "strike: the first policy of Tet4 is where its pressure comes from: NodalPressure or ElementPressure.");
+  static_assert(!has_pressure || has_rotation,
+                "strike: the second policy of Tet4 is the rotation of its tensors: HughesWinget or Jaumann.");
+
+  [[no_unique_address]] Pressure pressure{};
+  [[no_unique_address]] Spin rotation{};
+  [[no_unique_address]] Viscosity bulk_viscosity{};
+  [[no_unique_address]] Instant instant{};
+
+  using Kinematics = SolidKinematics;
+  static constexpr int nodes = 4;
+
+  template <class T>
+  struct GivenVolume {
+    T relative_volume{1.0};  ///< J that the material knows
+  };
+  template <class T>
+  struct OwnVolume {};
+
+  template <class M, class T>
+  struct State : std::conditional_t<averages_volume, GivenVolume<T>, OwnVolume<T>> {
+    T inverse_volume{};  ///< 1/V0
+    [[no_unique_address]] typename Viscosity::template State<T> viscosity{};
+    [[no_unique_address]] typename M::template State<T> material{};
+
+    template <class F>
+    void each_point(F f) const {
+      f(material);
+    }
+  };
+
+  template <class M, class T>
+  T begin(State<M, T>& state, const M& material, const Nodal<T, 4>& x) const {
+    if constexpr (requires { material.begin(state.material); }) material.begin(state.material);
+    const T V = volume(x);
+    state.inverse_volume = 1.0 / V;
+    return (0.25 * material.density()) * V;
+  }
+
+  template <class T>
+  T volume(const Nodal<T, 4>& x) const {
+    return Tet4Gradient<T>(x).volume;
+  }
+
+  /// Alone it has no neighbours: its nodes have its own volume.
+  template <class M, class T>
+  Response<T, 4> advance(State<M, T>& state, const M& material, const Nodal<T, 4>& x, const Nodal<T, 4>& v,
+                         double dt) const {
+    return advance(state, material, x, v, T(volume(x) * state.inverse_volume), dt);
+  }
+
+  /// The mean of J_a over its nodes is `nodal_volume`.
+  template <class M, class T>
+  Response<T, 4> advance(State<M, T>& state, const M& material, const Nodal<T, 4>& x, const Nodal<T, 4>& v,
+                         const T& nodal_volume, double dt) const {
+    const Tet4Gradient<T> g(x);
+    const T& V = g.volume;
+    const T J = V * state.inverse_volume, compression = 1.0 / J;
+    const T per_volume = compression * state.inverse_volume;  // 1/V
+    // Half of S, for the masses are rho V/4 and Stability has them rho V/8.
+    const SymmetricTensor<T> S = T(1.0 / 72.0) * per_volume * per_volume * g.squared();
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / material.density()) * J};
+
+    const Matrix3<T> L_mid = instant(g.gradient_of(v, per_volume), dt);
+    const Vector3<T> spin = T(dt) * axial_vector(L_mid);
+    const SymmetricTensor<T> D = instant.to_end(spin)(symmetric_part(L_mid));
+    const T theta = trace(D);
+    const T dV = volume_increment<T>(V, dt * theta);
+    const SolidKinematics::Rate<T> rate = felt(state, D, theta, J, nodal_volume, dt);
+    const Moduli<T> before = material.moduli(state.material, rate);
+    turn_tensors(rotation.turn(spin), state.material);
+
+    Response<T, 4> response;
+    response.volume = V;
+    response.hourglass_work = T(0.0);
+    const T q = bulk_viscosity.pressure(before.wave(), stability.crossing_time(before.wave()), theta);
+    response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
+    heat(state.material, response.bulk_viscosity_work * state.inverse_volume);
+
+    const auto [sigma, work] = advance_point(material, state.material, rate, dt, V, dV, D);
+    response.internal_work = work;
+    response.force = g.forces_of(sigma - SymmetricTensor<T>::isotropic(q));
+
+    const Moduli<T> after = material.moduli(state.material, rate);
+    const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
+    response.critical_rate = stability.vibration(material, after, zeta).critical_rate();
+    if constexpr (requires { material.intact(state.material); })
+      silence(material.intact(state.material) > 0.0, response);
+    return response;
+  }
+
+ private:
+  /// What the material feels: the change of shape of the element, and that of the volume that it is given.
+  template <class S, class T>
+  SolidKinematics::Rate<T> felt(S& state, const SymmetricTensor<T>& D, const T& theta, const T& J,
+                                const T& nodal_volume, double dt) const {
+    if constexpr (averages_volume) {
+      const T before = state.relative_volume;
+      state.relative_volume = pressure.share * nodal_volume + (1.0 - pressure.share) * J;
+      if (!(dt > 0)) return {D, state.relative_volume};
+      const T given = (2.0 / dt) * ((state.relative_volume - before) / (state.relative_volume + before));
+      return {D + SymmetricTensor<T>::isotropic((1.0 / 3.0) * (given - theta)), state.relative_volume};
+    } else {
+      return (void)state, (void)theta, (void)nodal_volume, (void)dt, SolidKinematics::Rate<T>{D, J};
+    }
+  }
+};
+
+Tet4()->Tet4<>;
+template <class P>
+Tet4(P) -> Tet4<P>;
+template <class P, class R>
+Tet4(P, R) -> Tet4<P, R>;
+template <class P, class R, class V>
+Tet4(P, R, V) -> Tet4<P, R, V>;
+template <class P, class R, class V, class I>
+Tet4(P, R, V, I) -> Tet4<P, R, V, I>;
+
+}  // namespace strike

@@ -1,0 +1,182 @@
+#include <cmath>
+#include <random>
+
+#include <strike/dynamics/explicit.hpp>
+#include <strike/element/tet4.hpp>
+#include <strike/material/fluid.hpp>
+
+#include "conformance/element.hpp"
+#include "problems/free_tetrahedra.hpp"
+
+using namespace strike;
+using testing::conforms;
+using testing::FiniteRotations;
+
+namespace {
+
+Nodal<double, 4> corner() {
+  Nodal<double, 4> x;
+  x << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
+  return x;
+}
+
+/// Tetrahedra of random corners whose heights are 1 to 1e4 times smaller than their sides, as slivers and as needles.
+Nodal<double, 4> random_tetrahedron(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1, 1), decades(-4, 0);
+  for (;;) {
+    Nodal<double, 4> x = Nodal<double, 4>::NullaryExpr([&] { return unit(random); });
+    const double shape = unit(random);
+    const Eigen::Vector3d thin(1, shape > 0 ? 1 : std::pow(10, decades(random)), std::pow(10, decades(random)));
+    x = thin.asDiagonal() * x.eval();
+    double V = Tet4Gradient<double>(x).volume;
+    if (V < 0) x.col(0).swap(x.col(1)), V = -V;
+    if (V > 1e-3 * thin.prod()) return x;
+  }
+}
+
+/// The step that an element claims over the exact one, [least, largest], over 1000 tetrahedra.
+template <class E>
+std::pair<double, double> claimed_over_exact(const E& element, double nu) {
+  std::mt19937 random(4);
+  double least = 1, largest = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const SingleElement single{element, Elastic{1, 1, nu}, random_tetrahedron(random)};
+    const double ratio = single.now().stable_step / single.vibration().critical_step();
+    least = std::min(least, ratio), largest = std::max(largest, ratio);
+  }
+  return {least, largest};
+}
+
+}  // namespace
+
+TEST_CASE("conformance: Tet4 with its own pressure") {
+  conforms(Tet4{ElementPressure{}}, FiniteRotations::exact, corner());
+}
+TEST_CASE("conformance: Tet4 of Jaumann without bulk viscosity, measured at the end of the step") {
+  conforms(Tet4{ElementPressure{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}, FiniteRotations::strain, corner());
+}
+// The rate of its volume is that of a finite step, which no step of 1e-15 has to any digit: linear fields are below.
+TEST_CASE("conformance: Tet4 that is alone with the pressure of its nodes") {
+  for (const double share : {0.9, 1.0}) {
+    const Tet4 element{NodalPressure{share}};
+    const testing::Shapes<4> shapes(1, corner());
+    testing::gradient_is_that_of_the_volume(element, shapes);
+    testing::rigid_motions_give_no_force(element, Elastic{1, 1, 0.3}, shapes, FiniteRotations::exact);
+    testing::forces_and_moments_sum_to_zero(element, testing::metal, shapes);
+    testing::creates_no_energy(element, testing::ConstantStress{}, shapes);
+    testing::books_its_work(element, testing::metal, shapes);
+    testing::lanes_agree<Pack<double, 8>>(element, testing::metal, shapes);
+    testing::lanes_agree<Pack<float, 16>>(element, testing::metal, shapes);
+    testing::stable_step_is_safe(element, shapes);
+    testing::failed_elements_are_silent(element, testing::brittle, shapes);
+  }
+}
+
+TEST_CASE("Tet4: in a linear field all elements of a mesh have one stress, and inner nodes no force") {
+  const Mesh mesh = free_tetrahedra::block(3, 0.2);
+  Eigen::Matrix3d L;
+  L << 0.2, 0.1, -0.3, 0.4, 0.3, 0.1, -0.2, 0.5, 0.1;  // no compression: bulk viscosity depends on the size
+  const auto one_stress = [&](const auto& element) {
+    Explicit run{
+        Scene{mesh.nodes, Part{element, Elastic{1, 1, 0.3}, mesh.tetrahedra}, free_tetrahedra::HomogeneousVelocity{L}},
+        {},
+        in<double>};
+    run.step();
+    const auto one = run.template thing<0>().blocks()[0].state.material.stress;
+    for (const auto& block : run.template thing<0>().blocks())
+      CHECK((block.state.material.stress - one).matrix().norm() <= 1e-12 * one.matrix().norm());
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      if (const auto& x = mesh.nodes[i]; x.minCoeff() > 0.2 && x.maxCoeff() < 0.8)
+        CHECK(run.nodes().f(i).norm() <= 1e-13 * one.matrix().norm());
+  };
+  one_stress(Tet4{ElementPressure{}});
+  one_stress(Tet4{NodalPressure{1}});
+  one_stress(Tet4{});
+}
+
+TEST_CASE("Tet4: forces and moments of a mesh sum to zero, and the energy balances, with the pressure of its nodes") {
+  const Mesh mesh = free_tetrahedra::block(3, 0.2);
+  for (const double share : {0.5, 1.0}) {
+    Explicit run{Scene{mesh.nodes, Part{Tet4{NodalPressure{share}}, testing::metal, mesh.tetrahedra},
+                       free_tetrahedra::RandomVelocity{0.05}}};
+    for (int i = 0; i < 200; ++i) {
+      run.step();
+      Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
+      double scale = 0;
+      for (std::size_t k = 0; k < run.nodes().size(); ++k) {
+        force += run.nodes().f(k), moment += run.nodes().x(k).cross(run.nodes().f(k));
+        scale += run.nodes().f(k).norm();
+      }
+      REQUIRE(force.norm() <= 1e-14 * scale);
+      REQUIRE(moment.norm() <= 1e-14 * scale);
+      REQUIRE(std::abs(run.energy().error()) < 2e-3);
+    }
+  }
+}
+
+// Neighbours make the mean of a volume stiff to no more than the elements would be alone (docs/theory.md), so the bound
+// of the elements is that of the mesh too: at 0.9 of it nothing grows, and the exact step is never below it.
+TEST_CASE("Tet4: the step of a free mesh is safe with the pressure of its nodes") {
+  const Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e9, .poissons_ratio = 0.4999};
+  const Mesh mesh = free_tetrahedra::block(3, 0.25);
+  const auto bounded = [&](const auto& element, double factor) {
+    Explicit run{Scene{mesh.nodes, Part{element, rubber, mesh.tetrahedra}, free_tetrahedra::RandomVelocity{1e-6}},
+                 ExplicitOptions{.step_factor = factor}};
+    double worst = 0;
+    while (run.steps() < 4000) run.step(), worst = std::max(worst, std::abs(run.energy().error()));
+    return worst;
+  };
+  for (const double share : {0.0, 0.5, 0.9, 1.0})
+    CHECK(bounded(Tet4{NodalPressure{share}, HughesWinget{}, NoBulkViscosity{}}, 0.9) < 1e-6);
+  CHECK_THROWS_AS(bounded(Tet4{NodalPressure{0.0}, HughesWinget{}, NoBulkViscosity{}}, 2.5), Error);
+}
+
+TEST_CASE("Tet4: alone it is the same whatever its pressure is a mean of") {
+  testing::Shapes<4> shapes(3, corner());
+  for (int trial = 0; trial < 10; ++trial) {
+    const Nodal<double, 4> x = shapes();
+    SingleElement own{Tet4{ElementPressure{}}, testing::metal, x};
+    SingleElement nodal{Tet4{NodalPressure{1}}, testing::metal, x};
+    for (int i = 0; i < 5; ++i) {
+      const Nodal<double, 4> v = shapes.nodal();
+      const auto& a = own.step(v, 0.01);
+      const auto& b = nodal.step(v, 0.01);
+      CHECK((a.force - b.force).norm() <= 1e-12 * a.x.squaredNorm());  // of the modulus
+      CHECK(a.internal == Approx(b.internal).epsilon(1e-9).margin(1e-15));
+    }
+  }
+}
+
+// The bound has the trace and the largest eigenvalue of one matrix, so it is exact where one of them decides; where
+// both do it is less by up to a fourth (nu = 0.3).
+TEST_CASE("Tet4: the step of a free tetrahedron is never beyond the exact one, whatever its shape") {
+  for (const double nu : {0.0, 0.3, 0.4999}) {
+    const Tet4 element{ElementPressure{}, HughesWinget{}, NoBulkViscosity{}};
+    const auto [least, largest] = claimed_over_exact(element, nu);
+    CAPTURE(nu, least, largest);
+    CHECK(largest <= 1 + 1e-9);
+    CHECK(least >= 0.75);
+  }
+}
+
+TEST_CASE("Tet4: the step knows a Newtonian viscosity") {
+  const Fluid honey{LinearEos{.density = 1, .bulk_modulus = 1}, Newtonian{5}};
+  testing::Shapes<4> shapes(13, corner());
+  for (int trial = 0; trial < 20; ++trial) {
+    const SingleElement single{Tet4{}, honey, shapes()};
+    const double ratio = single.now().stable_step / single.vibration().critical_step();
+    CHECK(ratio <= 1 + 1e-9);
+    CHECK(ratio >= 0.6);
+  }
+}
+
+TEST_CASE("Tet4: absent physics has no state") {
+  using M = Elastic;
+  static_assert(sizeof(Tet4<ElementPressure, HughesWinget, NoBulkViscosity>::State<M, double>) ==
+                (1 + 6) * sizeof(double));
+  static_assert(sizeof(Tet4<ElementPressure>::State<M, double>) == (1 + 1 + 6) * sizeof(double));
+  static_assert(sizeof(Tet4<>::State<M, double>) == (1 + 1 + 1 + 6) * sizeof(double));
+  static_assert(sizeof(Tet4<ElementPressure>) == 2 * sizeof(double));  // C0, C1
+  static_assert(Element<Tet4<>> && Element<Tet4<ElementPressure>>);
+  SUCCEED();
+}

@@ -1,0 +1,33 @@
+#include <algorithm>
+#include <cmath>
+
+#include "problems/water_bird.hpp"
+#include "support/catch.hpp"
+
+using namespace strike;
+
+// A steady jet gives the plate m v; its rear moves as if nothing had happened until the flow reaches it. The bands are
+// those of coarse meshes of independent codes (a blend of pressures: 3 % at 0.5 ms).
+TEST_CASE("a bird of water on a rigid plate: impulse m v, the rear at 1 - v t/L, and the balance") {
+  const double speed = 180.0556, length = 213.46, momentum = 1.81436948 * speed;
+  auto run = water_bird::on_plate(Tet4{NodalPressure{0.5}}, 2, Erosion{.volume = 0.1, .step = 2e-4});
+  const Mesh mesh = bird({.mass = 1.81436948, .density = 0.95e-6, .cells = 2, .layers = 16});
+  const auto rear = nodes_where(mesh.nodes, [&](const auto& x) { return x.z() > 0.99 * length; });
+  const auto height = [&] {
+    double z = 0;
+    for (const Index i : rear) z += run.nodes().x(i).z() / static_cast<double>(rear.size());
+    return z;
+  };
+  const double start = height();
+  double lag = 0, drift = 0;
+  run.until(1.6 * length / speed, [&] {
+    drift = std::max(drift, std::abs(run.energy().error()));
+    if (run.time() > 0.5) return;
+    const double expected = 1 - speed * run.time() / length;
+    lag = std::max(lag, std::abs(1 - (start - height()) / length - expected) / expected);
+  });
+  CHECK(4 * run.thing<4>().impulse().z() == Approx(momentum).epsilon(0.02));
+  CHECK(lag < 0.03);
+  CHECK(drift < 0.01);
+  CHECK(run.thing<0>().deleted() > 0);
+}
