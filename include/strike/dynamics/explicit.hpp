@@ -353,6 +353,9 @@ class Explicit {
       }
     });
     bound_.extend(stable_, nodes_, things_, execution_);
+    each([&](auto& thing) {
+      if constexpr (requires { thing.stable_step(stable_.dt); }) stable_.dt = thing.stable_step(stable_.dt);
+    });
   }
 
   void push() {
