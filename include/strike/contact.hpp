@@ -6,3 +6,4 @@
 #include <strike/contact/rigid.hpp>
 #include <strike/contact/rigid_wall.hpp>
 #include <strike/contact/surface.hpp>
+#include <strike/contact/tied.hpp>

@@ -38,10 +38,39 @@ struct Shower {
   std::vector<Face> faces() const { return quadrilateral_surface(mesh.quadrilaterals); }
 };
 
+/// Two bumpy sheets of loose nodes that fly into each other, one finer than the other.
+struct Clap : Shower {
+  std::vector<Face> upper;
+
+  explicit Clap(unsigned seed) : Shower(seed) {
+    mesh.nodes.resize(mesh.nodes.size() - shots), v.resize(mesh.nodes.size()), mass.resize(mesh.nodes.size());
+    std::mt19937 random(seed);
+    const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
+    const Mesh other = sheet({13, 11}, [&](double s, double t) {
+      return Eigen::Vector3d(0.1 + 0.8 * t, 0.1 + 0.8 * s, 0.08 + 0.01 * number());
+    });
+    const Index offset = static_cast<Index>(mesh.nodes.size());
+    for (Face face : quadrilateral_surface(other.quadrilaterals)) {
+      for (Index& i : face.nodes) i += offset;
+      upper.push_back(face);
+    }
+    for (const auto& x : other.nodes) {
+      mesh.nodes.push_back(x);
+      v.push_back({0.3, 0, -1});
+      mass.push_back(std::pow(10, 0.5 + 0.5 * number()));
+    }
+  }
+  std::vector<Face> both() const {
+    std::vector<Face> all = faces();
+    all.insert(all.end(), upper.begin(), upper.end());
+    return all;
+  }
+};
+
 /// Forces and moments sum to zero in every step, momenta are kept, no energy appears, friction only dissipates, and the
-/// balance closes. `gain`: of the energy of an impact, what the law's step may add.
+/// balance closes.
 template <class Pairing, class... Policies>
-void conforms(const Shower& shower, const Pairing& pairing, double gain, const Policies&... policies) {
+void conforms(const Shower& shower, const Pairing& pairing, const Policies&... policies) {
   Balls run(shower.mesh.nodes, shower.v, shower.mass, Contact{pairing, policies...});
   const Eigen::Vector3d momentum = run.momentum(), angular = run.angular_momentum();
   const bool slides = (std::is_same_v<Policies, Coulomb> || ...);
@@ -65,8 +94,8 @@ void conforms(const Shower& shower, const Pairing& pairing, double gain, const P
     CHECK(run.ledger.friction.settled() >= friction - 1e-14 * run.begin_energy);
     most = std::max(most, run.energy());
   }
-  CHECK(touched > Shower::shots / 2);
-  CHECK(most <= (1 + gain) * run.begin_energy);
+  CHECK(touched > 30);
+  CHECK(most <= (1 + 1e-14) * run.begin_energy);
   CHECK((run.momentum() - momentum).norm() < 1e-12 * momentum.norm());
   if (!slides) CHECK((run.angular_momentum() - angular).norm() < 1e-12 * angular.norm());
   CHECK(run.energy() + run.ledger.contact.settled() + run.ledger.friction.settled() ==
@@ -75,10 +104,15 @@ void conforms(const Shower& shower, const Pairing& pairing, double gain, const P
 }
 
 template <class... Policies>
-void conforms_as_contact(double gain, const Policies&... policies) {
-  for (const unsigned seed : {1u, 2u, 3u}) {
+void conforms_as_contact(const Policies&... policies) {
+  for (const unsigned seed : {1u, 2u}) {
     const Shower shower(seed);
-    conforms(shower, NodeToSurface{shower.balls, Surface{shower.faces()}}, gain, policies...);
+    conforms(shower, NodeToSurface{shower.balls, Surface{shower.faces()}}, policies...);
+    conforms(shower, NodeToSurface{shower.balls, Surface{shower.faces(), 0.02}, 0.01}, policies...);
+    const Clap clap(seed);
+    conforms(clap, TwoWay{Surface{clap.faces()}, Surface{clap.upper}}, policies...);
+    conforms(clap, TwoWay{Surface{clap.faces(), 0.01}, Surface{clap.upper, 0.01}}, policies...);
+    conforms(clap, SelfContact{Surface{clap.both()}}, policies...);
   }
 }
 

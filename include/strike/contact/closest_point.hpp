@@ -15,8 +15,8 @@ using Corners = std::array<Eigen::Vector3d, 4>;
 struct ClosestPoint {
   enum Where { inside, on_edge, at_corner };
 
-  std::array<double, 4> N{};  ///< shares of the corners, none negative, of the sum 1
-  Eigen::Vector3d away;       ///< from x_c to the node [length]
+  std::array<double, 4> N{};                       ///< shares of the corners, none negative, of the sum 1
+  Eigen::Vector3d away = Eigen::Vector3d::Zero();  ///< from x_c to the node [length]
   double distance2 = std::numeric_limits<double>::infinity();
   Where where = inside;
   unsigned which = 0;  ///< the edge, from corner `which` to the next, or the corner

@@ -21,9 +21,9 @@ namespace strike::detail {
 struct Foot {
   Index face = 0;
   ClosestPoint point;
-  Eigen::Vector3d normal;  ///< from the closest point, to the outside
-  double height = 0;       ///< the distance, negative inside [length]
-  bool on_border = false;  ///< on an edge that no other face shares
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< from the closest point, to the outside
+  double height = 0;                                 ///< the distance, negative inside [length]
+  bool on_border = false;                            ///< on an edge that no other face shares
 };
 
 /// Faces that are touched, with their neighbours.
