@@ -189,21 +189,31 @@ class Approach {
     const Index i = nodes_[s];
     Foot best;
     double first = 2;  // when, as a part of the step, it meets a face that it flies to
-    for (const Index f : search_.near(s)) {
-      if (self && target_.has(f, i)) continue;
+    const auto consider = [&](Index f) {
+      if (self && target_.has(f, i)) return;
       const Corners X = target_.corners(f, all.x);
+      const bool flies = flies_over(f, all, i, step.dt);
+      if (!flies && (first <= 1 || farther(X, all.x[i], best.point.distance2))) return;
       const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
       const double from_plane = (all.x[i] - 0.25 * (X[0] + X[1] + X[2] + X[3])).dot(area),
                    warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
-      if (std::abs(from_plane) > (depth_ + reach_ + warp) * area.norm()) continue;
-      if (self && two_sided_ && is_neighbourhood(f, i)) continue;
-      const Foot foot = target_.foot(f, X, all.x[i], all.x);
-      if (flies_over(f, all, i, step.dt)) {
+      if (std::abs(from_plane) > (depth_ + reach_ + warp) * area.norm()) return;
+      if (self && two_sided_ && is_neighbourhood(f, i)) return;
+      const ClosestPoint point = target_.closest(f, X, all.x[i]);
+      if (!flies && point.distance2 >= best.point.distance2) return;
+      const Foot foot = target_.foot(f, X, point, all.x);
+      if (flies) {
         if (const double when = meets(foot, all, i, step.dt); when < first) first = when, best = foot;
-      } else if (first > 1 && foot.point.distance2 < best.point.distance2 && is_outside(foot)) {
+      } else if (is_outside(foot)) {
         best = foot;
       }
-    }
+    };
+    const Index last = touches_[s].face;  // the nearest of the step before comes first, and spares the others
+    const auto near = search_.near(s);
+    if (std::find(near.begin(), near.end(), last) != near.end()) consider(last);
+    for (const Index f : near)
+      if (f != last || best.point.distance2 > 1e30) consider(f);
+    touches_[s].face = best.face;
     if (best.point.distance2 > 1e30) return;
     const double side = two_sided_ && best.height < 0 ? -1 : 1;
     if (first <= 1 && best.point.where != ClosestPoint::inside) {  // along the normal of the face, not from its edge
@@ -222,6 +232,12 @@ class Approach {
     pairs.back().gap = std::max(gap, 0.0);
   }
 
+  /// Whether the box around a face is farther than a distance.
+  static bool farther(const Corners& X, const Eigen::Vector3d& x, double distance2) {
+    const Eigen::Vector3d lower = X[0].cwiseMin(X[1]).cwiseMin(X[2].cwiseMin(X[3])),
+                          upper = X[0].cwiseMax(X[1]).cwiseMax(X[2].cwiseMax(X[3]));
+    return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm() >= distance2;
+  }
   bool is_outside(const Foot& foot) const { return two_sided_ || foot.height >= -1e-6 * size_; }
   /// Plates within a thickness of a node at the begin are its own neighbourhood.
   bool is_neighbourhood(Index f, Index i) const {
@@ -275,7 +291,7 @@ class Approach {
   double depth_ = 0;
   bool two_sided_ = false;
   std::vector<Touch> touches_;
-  Search search_;
+  BucketSearch search_;
   std::vector<Eigen::Vector3d> at_begin_, ahead_;
   Eigen::Vector3d mean_velocity_ = Eigen::Vector3d::Zero();
   double size_ = 0, margin_ = -1, travelled_ = 0, reach_ = 0, most_yielding_ = 0;

@@ -68,7 +68,7 @@ class Contact {
     (take(policies), ...);
     if constexpr (std::is_default_constructible_v<F>)
       if (!friction_) friction_.emplace();
-    detail::check(law_);
+    detail::check_law(law_);
   }
 
   template <class N>
@@ -158,8 +158,9 @@ class Contact {
     const double speed = sliding.norm();
     if (!(speed > 0)) return;
     const Eigen::Vector3d along = (1 / speed) * sliding;
-    if (!pair.yields(all_, along)) return;
-    pair.drag(all_, -friction_->impulse(pair.impulse, speed / pair.yielding(all_, along)) * along);
+    const double yielding = pair.yielding_along(all_, along);
+    if (!(yielding > 0)) return;
+    pair.drag(all_, -friction_->impulse(pair.impulse, speed / yielding) * along);
   }
 
   std::vector<std::pair<Index, Eigen::Vector3d>> forces() const {

@@ -56,14 +56,15 @@ class ContactNodes {
 
   /// Takes what the pairs need to know of the forces.
   template <class N, class Pairs>
-  void gather_forces(const N& nodes, const Pairs& pairs, double kick) {
+  void gather_forces(const N& nodes, Pairs& pairs, double kick) {
     const auto of = [&](Index i) {
       if (i < number_.size())
         v_before[i] = v[i] - (inverse_mass_[i] * kick) * free(i, N::told(nodes.force()[place_[i]]));
     };
-    for (const auto& pair : pairs) {
+    for (auto& pair : pairs) {
       of(pair.node);
       for (unsigned k = 0; k < pair.count; ++k) of(pair.corners[k]);
+      pair.yielding = pair.yielding_along(*this, pair.normal);
     }
   }
 
@@ -147,6 +148,7 @@ struct ContactPair {
   double gap = 0;                                    ///< negative where it has entered [length]
   double* stiffness = nullptr;                       ///< what the law keeps for the node while it touches; 0 at first
   double* stored = nullptr;                          ///< the energy that it has taken, less what it gave back
+  double yielding = 0;                               ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
   double impulse = 0;                                ///< what the law has given in this step [force time]
 
   /// Velocity of the node relative to the point that it touches.
@@ -161,17 +163,14 @@ struct ContactPair {
     for (unsigned i = 0; i < count; ++i) v -= N[i] * nodes.v_before[corners[i]];
     return v;
   }
-  /// 1/m* along a unit vector: 1/m_s + sum of N_I^2/m_I.
-  double yielding(const ContactNodes& nodes, const Eigen::Vector3d& a) const {
-    double w = nodes.yielding(node, a);
-    for (unsigned i = 0; i < count; ++i) w += N[i] * N[i] * nodes.yielding(corners[i], a);
-    return w;
-  }
-  /// Whether it can be moved at all along a unit vector (not if all its nodes are held).
-  bool yields(const ContactNodes& nodes, const Eigen::Vector3d& a) const {
-    double free = nodes.inverse_mass(node);
-    for (unsigned i = 0; i < count; ++i) free += N[i] * N[i] * nodes.inverse_mass(corners[i]);
-    return yielding(nodes, a) > 1e-6 * free;
+  /// 1/m* along a unit vector, 1/m_s + sum of N_I^2/m_I; 0 if it cannot be moved, for all its nodes are held.
+  double yielding_along(const ContactNodes& nodes, const Eigen::Vector3d& a) const {
+    double w = nodes.yielding(node, a), free = nodes.inverse_mass(node);
+    for (unsigned i = 0; i < count; ++i) {
+      const double share = N[i] * N[i];
+      w += share * nodes.yielding(corners[i], a), free += share * nodes.inverse_mass(corners[i]);
+    }
+    return w > 1e-6 * free ? w : 0;
   }
   void push(ContactNodes& nodes, double J) {
     impulse += J;

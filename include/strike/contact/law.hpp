@@ -44,8 +44,7 @@ struct Kinematic {
       for (ContactPair& pair : pairs) {
         const double approach = pair.normal.dot(pair.velocity(nodes));
         const double wanted = std::min(-pair.gap / step.dt, std::max(0.0, -approach));
-        if (!(approach < wanted) || !pair.yields(nodes, pair.normal)) continue;
-        pair.push(nodes, (wanted - approach) / pair.yielding(nodes, pair.normal));
+        if (approach < wanted && pair.yielding > 0) pair.push(nodes, (wanted - approach) / pair.yielding);
       }
     return 0;
   }
@@ -79,8 +78,8 @@ struct Penalty {
     };
     const double allowed = fraction / (step.dt * step.dt);
     for (ContactPair& pair : pairs) {
-      const double k = stiffness > 0 ? stiffness : allowed / pair.yielding(nodes, pair.normal);
-      if (!pair.yields(nodes, pair.normal))
+      const double k = stiffness > 0 ? stiffness : allowed / pair.yielding;
+      if (!(pair.yielding > 0))
         *pair.stiffness = 0;
       else if (!(*pair.stiffness > 0) || k < *pair.stiffness)
         *pair.stiffness = k;
@@ -91,7 +90,7 @@ struct Penalty {
       double here = largest(pair);
       if (!(stiffness > 0) && here > allowed) *pair.stiffness *= allowed / here, here = allowed;
       most = std::max(most, here);
-      if (pair.gap < 0) spring(pair, nodes, step);
+      if (pair.gap < 0 && pair.yielding > 0) spring(pair, nodes, step);
     }
     return most;
   }
@@ -101,7 +100,7 @@ struct Penalty {
   /// mean of the velocities before and after the step, J (v- + v+ + J/m*)/2. A spring that is sampled in steps would
   /// otherwise add up to kappa dt^2/4 of the energy of an impact, for it is entered and left within a step.
   static void spring(ContactPair& pair, ContactNodes& nodes, const Step& step) {
-    const double w = pair.yielding(nodes, pair.normal);
+    const double w = pair.yielding;
     const double mean = 0.5 * pair.normal.dot(Eigen::Vector3d(pair.velocity_before(nodes) + pair.velocity(nodes)));
     const double most = (std::sqrt(mean * mean + 2 * w * *pair.stored) - mean) / w;
     const double J = std::min(*pair.stiffness * -pair.gap * step.kick(), most);
@@ -113,17 +112,17 @@ struct Penalty {
 
 namespace detail {
 
-inline void check(const Penalty& law) {
+inline void check_law(const Penalty& law) {
   if (!(law.fraction > 0 && law.fraction <= 2) || !(law.stiffness >= 0))
     throw Error(
         joined({"strike: a Penalty has the fraction ", text(law.fraction), " and the stiffness ", text(law.stiffness),
                 "; the fraction of m*/dt^2 is to be between 0 and 2, such as 0.2, and a "
                 "stiffness positive or left out."}));
 }
-inline void check(const Kinematic& law) {
+inline void check_law(const Kinematic& law) {
   if (law.sweeps < 1) throw Error("strike: a Kinematic law makes no sweep; give 1 or more, such as 2.");
 }
-inline void check(const auto&) {}
+inline void check_law(const auto&) {}
 
 }  // namespace detail
 

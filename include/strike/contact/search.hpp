@@ -15,7 +15,7 @@ namespace strike::detail {
 /// Which nodes are within a reach of which faces: the nodes are sorted into buckets of the size of the faces, and each
 /// face looks into those that the box around it, larger by the reach, overlaps. Only buckets that hold nodes take
 /// memory: they are found by their hash. The work is linear in nodes and faces.
-class Search {
+class BucketSearch {
  public:
   using Corners = std::array<Index, 4>;
 

@@ -66,13 +66,18 @@ class Target {
     return X;
   }
 
+  ClosestPoint closest(Index face, const Corners& X, const Eigen::Vector3d& at) const {
+    return count(face) == 3 ? closest_on_triangle(X, at) : closest_on_quadrilateral(X, at);
+  }
+  Foot foot(Index face, const Corners& X, const Eigen::Vector3d& at, std::span<const Eigen::Vector3d> x) const {
+    return foot(face, X, closest(face, X, at), x);
+  }
   /// The foot of a point on a face. Over an edge or a corner the side is that of the normals around it, weighted by
   /// their angles: then it is right on every closed surface (Baerentzen and Aanaes 2005).
-  Foot foot(Index face, const Corners& X, const Eigen::Vector3d& at, std::span<const Eigen::Vector3d> x) const {
+  Foot foot(Index face, const Corners& X, const ClosestPoint& point, std::span<const Eigen::Vector3d> x) const {
     Foot foot;
-    foot.face = face;
+    foot.face = face, foot.point = point;
     const bool triangle = count(face) == 3;
-    foot.point = triangle ? closest_on_triangle(X, at) : closest_on_quadrilateral(X, at);
     if (foot.point.where == ClosestPoint::inside) {
       foot.normal = normal_at(X, foot.point.N, triangle);
       foot.height = foot.normal.dot(foot.point.away);

@@ -39,7 +39,7 @@ class Tied {
     if (!(tolerance_ > 0))
       for (const auto& face : target_.faces())
         tolerance_ += 0.1 * (all_.x[face[2]] - all_.x[face[0]]).norm() / static_cast<double>(target_.faces().size());
-    detail::Search search;
+    detail::BucketSearch search;
     search.sort(local, target_.faces(), all_.x, tolerance_);
     for (std::size_t s = 0; s < local.size(); ++s) {
       detail::Foot best;
@@ -104,7 +104,7 @@ class Tied {
     const Eigen::Vector3d v = off / dt;
     for (int a = 0; a < 3; ++a) {
       tie.normal = Eigen::Vector3d::Unit(a);
-      if (tie.yields(all_, tie.normal)) tie.push(all_, -v[a] / tie.yielding(all_, tie.normal));
+      if (const double yielding = tie.yielding_along(all_, tie.normal); yielding > 0) tie.push(all_, -v[a] / yielding);
     }
     return v.norm();
   }
