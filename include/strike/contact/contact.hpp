@@ -192,11 +192,13 @@ Contact(P, const Policies&...) -> Contact<P, detail::LawOf<Policies...>, detail:
 template <class P, class Law, class F>
 requires(!detail::Pairing<P> || std::is_same_v<Law, detail::NoContactPolicy>) class Contact<P, Law, F> {
  public:
+  static constexpr bool pairs = detail::Pairing<P>, has_laws = !std::is_same_v<Law, detail::NoContactPolicy>;
+
   explicit Contact(const P&, const auto&...) {
-    static_assert(detail::Pairing<P>,
+    static_assert(pairs,
                   "strike: a Contact begins with who may touch whom: NodeToSurface{nodes, surface}, TwoWay{surface, "
-                  "surface}, SelfContact{surface} or NodeToRigid{nodes, body}.");
-    static_assert(!detail::Pairing<P> || !std::is_same_v<Law, detail::NoContactPolicy>,
+                  "surface}, SelfContact{surface} or NodeToRigid{nodes, body}, where a body has a clearance(x).");
+    static_assert(!pairs || has_laws,
                   "strike: after its pairing a Contact takes a normal law, such as Kinematic{} or Penalty{}, and "
                   "friction, such as Coulomb{0.3}.");
   }

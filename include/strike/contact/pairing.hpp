@@ -164,8 +164,8 @@ struct NodeToRigid {
 
   std::vector<Index> numbers() const { return detail::ascending(nodes); }
   const std::vector<Index>& first() const { return nodes; }
-  detail::RigidApproach<Body> start(const ContactNodes& all) const {
-    return {detail::to_local(numbers(), all), body, 0.5 * thickness};
+  auto start(const ContactNodes& all) const requires RigidBody<Body> {
+    return detail::RigidApproach<Body>{detail::to_local(numbers(), all), body, 0.5 * thickness};
   }
 };
 template <>
