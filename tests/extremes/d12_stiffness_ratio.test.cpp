@@ -34,7 +34,7 @@ TEST_CASE("D12: rubber that meets steel enters it by less than 5 % of an element
       taken = std::max(taken, std::abs(run.energy().contact));
     });
     CHECK(deepest < 0.05 * h);
-    CHECK(lowest > -1e-3 * run.energy().initial);
+    CHECK(lowest > -1e-6 * run.energy().initial);
     CHECK(std::abs(run.energy().error()) < 1e-2);
     return taken / run.energy().initial;
   };

@@ -16,9 +16,9 @@ namespace strike::detail {
 
 /// What a node remembers while it touches.
 struct Touch {
-  double side = 0;                   ///< of the plate that it came to: 1 or -1; 0: it touches nothing
-  double given_away = 0;             ///< how deep it may be, for it began so deep [length]
-  double stiffness = 0, stored = 0;  ///< what the law keeps
+  double side = 0;        ///< of the plate that it came to: 1 or -1; 0: it touches nothing
+  double given_away = 0;  ///< how deep it may be, for it began so deep [length]
+  double stored = 0;      ///< by the law [energy]
   Index face = 0;
 };
 
@@ -145,7 +145,7 @@ class Approach {
     pair.corners = target_.faces()[f];
     pair.normal = side * foot.normal;
     pair.gap = gap;
-    pair.stiffness = &touches_[s].stiffness, pair.stored = &touches_[s].stored;
+    pair.stored = &touches_[s].stored;
     return pair;
   }
 

@@ -21,8 +21,8 @@ namespace strike {
 class ContactNodes {
  public:
   std::vector<Eigen::Vector3d> x, v;
-  /// The velocities before the forces of this step, of nodes in pairs.
-  std::vector<Eigen::Vector3d> v_before;
+  /// What the forces of this step have done to the velocities, of nodes in pairs.
+  std::vector<Eigen::Vector3d> kicked;
   /// The impulses of this step, along the normals and of friction.
   std::vector<Eigen::Vector3d> pushed, dragged;
 
@@ -37,7 +37,7 @@ class ContactNodes {
     x.resize(number_.size());
     x.insert(x.end(), points.begin(), points.end());
     v.assign(x.size(), Eigen::Vector3d::Zero());
-    v_before = pushed = dragged = v;
+    kicked = pushed = dragged = v;
     is_touched_.assign(x.size(), 0), held_.assign(x.size(), -1), inverse_mass_.assign(x.size(), 0.0);
     for (std::size_t i = 0; i < number_.size(); ++i) inverse_mass_[i] = 1 / nodes.mass(number_[i]);
     gather(nodes);
@@ -58,8 +58,7 @@ class ContactNodes {
   template <class N, class Pairs>
   void gather_forces(const N& nodes, Pairs& pairs, double kick) {
     const auto of = [&](Index i) {
-      if (i < number_.size())
-        v_before[i] = v[i] - (inverse_mass_[i] * kick) * free(i, N::told(nodes.force()[place_[i]]));
+      if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::told(nodes.force()[place_[i]]));
     };
     for (auto& pair : pairs) {
       of(pair.node);
@@ -88,8 +87,9 @@ class ContactNodes {
     double before[2] = {0, 0}, after[2] = {0, 0};
     for (const Index i : touched_) {
       nodes.set_velocity(number_[i], v[i]);
-      before[0] += pushed[i].dot(v_before[i]), after[0] += pushed[i].dot(v[i]);
-      before[1] += dragged[i].dot(v_before[i]), after[1] += dragged[i].dot(v[i]);
+      const Eigen::Vector3d v_before = v[i] - inverse_mass_[i] * (pushed[i] + dragged[i]) - kicked[i];
+      before[0] += pushed[i].dot(v_before), after[0] += pushed[i].dot(v[i]);
+      before[1] += dragged[i].dot(v_before), after[1] += dragged[i].dot(v[i]);
     }
     ledger.contact.book_impulse(-before[0], -after[0]);
     ledger.friction.book_impulse(-before[1], -after[1]);
@@ -146,10 +146,10 @@ struct ContactPair {
   unsigned count = 0;                                ///< how many corners; 0: something rigid that has none
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< towards where the node may be
   double gap = 0;                                    ///< negative where it has entered [length]
-  double* stiffness = nullptr;                       ///< what the law keeps for the node while it touches; 0 at first
-  double* stored = nullptr;                          ///< the energy that it has taken, less what it gave back
-  double yielding = 0;                               ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
-  double impulse = 0;                                ///< what the law has given in this step [force time]
+  double stiffness = 0;                              ///< what a law of springs gives it [force/length]
+  double* stored = nullptr;  ///< the energy that the law has taken while the node touches, less what it gave back
+  double yielding = 0;       ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
+  double impulse = 0;        ///< what the law has given in this step [force time]
 
   /// Velocity of the node relative to the point that it touches.
   Eigen::Vector3d velocity(const ContactNodes& nodes) const {
@@ -157,10 +157,10 @@ struct ContactPair {
     for (unsigned i = 0; i < count; ++i) v -= N[i] * nodes.v[corners[i]];
     return v;
   }
-  /// The same before the forces of this step.
-  Eigen::Vector3d velocity_before(const ContactNodes& nodes) const {
-    Eigen::Vector3d v = nodes.v_before[node];
-    for (unsigned i = 0; i < count; ++i) v -= N[i] * nodes.v_before[corners[i]];
+  /// What the forces of this step have done to it.
+  Eigen::Vector3d kicked(const ContactNodes& nodes) const {
+    Eigen::Vector3d v = nodes.kicked[node];
+    for (unsigned i = 0; i < count; ++i) v -= N[i] * nodes.kicked[corners[i]];
     return v;
   }
   /// 1/m* along a unit vector, 1/m_s + sum of N_I^2/m_I; 0 if it cannot be moved, for all its nodes are held.

@@ -56,54 +56,51 @@ struct Kinematic {
 /// (Gershgorin). Or a `stiffness` for every node [force/length], and the step becomes what that needs. No spring gives
 /// back more than it took.
 struct Penalty {
-  double fraction = 0.2;
+  double fraction = 0.5;
   double stiffness = 0;
 
   double kappa(double yielding) const { return stiffness * yielding; }
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
-    std::vector<double> kappa(nodes.size(), 0.0);
+    std::vector<double> sum(nodes.size(), 0.0);  // kappa_I
     const auto add = [&](const ContactPair& pair) {
       double moved = 1;  // by the norm of the pair's row
       for (unsigned i = 0; i < pair.count; ++i)
         if (nodes.inverse_mass(pair.corners[i]) > 0) moved += pair.N[i];
-      const double k = *pair.stiffness * moved;
-      kappa[pair.node] += k * nodes.inverse_mass(pair.node);
+      const double k = pair.stiffness * moved;
+      sum[pair.node] += k * nodes.inverse_mass(pair.node);
       for (unsigned i = 0; i < pair.count; ++i)
-        kappa[pair.corners[i]] += k * pair.N[i] * nodes.inverse_mass(pair.corners[i]);
+        sum[pair.corners[i]] += k * pair.N[i] * nodes.inverse_mass(pair.corners[i]);
     };
     const auto largest = [&](const ContactPair& pair) {
-      double most = kappa[pair.node];
-      for (unsigned i = 0; i < pair.count; ++i) most = std::max(most, kappa[pair.corners[i]]);
+      double most = sum[pair.node];
+      for (unsigned i = 0; i < pair.count; ++i) most = std::max(most, sum[pair.corners[i]]);
       return most;
     };
     const double allowed = fraction / (step.dt * step.dt);
     for (ContactPair& pair : pairs) {
-      const double k = stiffness > 0 ? stiffness : allowed / pair.yielding;
-      if (!(pair.yielding > 0))
-        *pair.stiffness = 0;
-      else if (!(*pair.stiffness > 0) || k < *pair.stiffness)
-        *pair.stiffness = k;
+      pair.stiffness = !(pair.yielding > 0) ? 0 : stiffness > 0 ? stiffness : allowed / pair.yielding;
       add(pair);
     }
     double most = 0;
     for (ContactPair& pair : pairs) {
       double here = largest(pair);
-      if (!(stiffness > 0) && here > allowed) *pair.stiffness *= allowed / here, here = allowed;
+      if (!(stiffness > 0) && here > allowed) pair.stiffness *= allowed / here, here = allowed;
       most = std::max(most, here);
       if (pair.gap < 0 && pair.yielding > 0) spring(pair, nodes, step);
     }
-    return most;
+    return stiffness > 0 ? most : allowed;  // the same in every step: one that changed would cost balance
   }
 
  private:
-  /// The impulse of a spring, J = k |g| kick, but no more than what gives its stored energy back: it works along the
-  /// mean of the velocities before and after the step, J (v- + v+ + J/m*)/2. A spring that is sampled in steps would
+  /// The impulse of a spring, J = k |g| kick, but no more than what gives its stored energy back. It works along the
+  /// mean of the velocities before and after the step: J (v - kick a/2 + J/(2 m*)), where v is what the forces a and
+  /// the pairs before have left; so summed, this is the work of all pairs. A spring that is sampled in steps would
   /// otherwise add up to kappa dt^2/4 of the energy of an impact, for it is entered and left within a step.
   static void spring(ContactPair& pair, ContactNodes& nodes, const Step& step) {
     const double w = pair.yielding;
-    const double mean = 0.5 * pair.normal.dot(Eigen::Vector3d(pair.velocity_before(nodes) + pair.velocity(nodes)));
+    const double mean = pair.normal.dot(Eigen::Vector3d(pair.velocity(nodes) - 0.5 * pair.kicked(nodes)));
     const double most = (std::sqrt(mean * mean + 2 * w * *pair.stored) - mean) / w;
-    const double J = std::min(*pair.stiffness * -pair.gap * step.kick(), most);
+    const double J = std::min(pair.stiffness * -pair.gap * step.kick(), most);
     if (!(J > 0)) return;
     *pair.stored = std::max(0.0, *pair.stored - J * (mean + 0.5 * w * J));
     pair.push(nodes, J);
@@ -116,7 +113,7 @@ inline void check_law(const Penalty& law) {
   if (!(law.fraction > 0 && law.fraction <= 2) || !(law.stiffness >= 0))
     throw Error(
         joined({"strike: a Penalty has the fraction ", text(law.fraction), " and the stiffness ", text(law.stiffness),
-                "; the fraction of m*/dt^2 is to be between 0 and 2, such as 0.2, and a "
+                "; the fraction of m*/dt^2 is to be between 0 and 2, such as 0.5, and a "
                 "stiffness positive or left out."}));
 }
 inline void check_law(const Kinematic& law) {

@@ -96,11 +96,10 @@ class RigidApproach {
       touch.given_away = std::clamp(-height, 0.0, touch.given_away);
       const double gap = height + touch.given_away;
       if (gap > 0 && (gap + step.dt * normal.dot(all.v[i]) >= 0 || !meets(all.x[i], gap, step.dt * all.v[i]))) {
-        touch.stiffness = touch.stored = 0;
+        touch.stored = 0;
         continue;
       }
-      pairs.push_back(
-          {.node = i, .normal = normal, .gap = gap, .stiffness = &touch.stiffness, .stored = &touch.stored});
+      pairs.push_back({.node = i, .normal = normal, .gap = gap, .stored = &touch.stored});
     }
   }
   void moved(const ContactNodes&, double) {}
