@@ -73,7 +73,7 @@ template <class Pairing, class... Policies>
 void conforms(const Shower& shower, const Pairing& pairing, const Policies&... policies) {
   Balls run(shower.mesh.nodes, shower.v, shower.mass, Contact{pairing, policies...});
   const Eigen::Vector3d momentum = run.momentum(), angular = run.angular_momentum();
-  const bool slides = (std::is_same_v<Policies, Coulomb> || ...);
+  const bool slides = ((Friction<Policies> && !std::is_same_v<Policies, Frictionless>) || ...);
   const double dt = 2e-3;
   double most = 0, touched = 0, peak = 0;
   for (int n = 0; n < 200; ++n) {
