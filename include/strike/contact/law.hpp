@@ -82,28 +82,35 @@ struct Penalty {
       add(pair);
     }
     double most = 0;
+    std::vector<double> before;  // velocities before the forces of this step
     for (ContactPair& pair : pairs) {
       double here = largest(pair);
       if (!(stiffness > 0) && here > allowed) pair.stiffness *= allowed / here, here = allowed;
       most = std::max(most, here);
-      if (pair.gap < 0 && pair.yielding > 0) spring(pair, nodes, step);
+      before.push_back(pair.normal.dot(Eigen::Vector3d(pair.velocity(nodes) - pair.kicked(nodes))));
     }
+    for (ContactPair& pair : pairs)
+      if (pair.gap < 0 && pair.yielding > 0) pair.push(nodes, pair.stiffness * -pair.gap * step.kick());
+    limit_what_comes_back(pairs, before, nodes);
     return stiffness > 0 ? most : allowed;  // the same in every step: one that changed would cost balance
   }
 
  private:
-  /// The impulse of a spring, J = k |g| kick, but no more than what gives its stored energy back. It works along the
-  /// mean of the velocities before and after the step: J (v - kick a/2 + J/(2 m*)), where v is what the forces a and
-  /// the pairs before have left; so summed, this is the work of all pairs. A spring that is sampled in steps would
-  /// otherwise add up to kappa dt^2/4 of the energy of an impact, for it is entered and left within a step.
-  static void spring(ContactPair& pair, ContactNodes& nodes, const Step& step) {
-    const double w = pair.yielding;
-    const double mean = pair.normal.dot(Eigen::Vector3d(pair.velocity(nodes) - 0.5 * pair.kicked(nodes)));
-    const double most = (std::sqrt(mean * mean + 2 * w * *pair.stored) - mean) / w;
-    const double J = std::min(pair.stiffness * -pair.gap * step.kick(), most);
-    if (!(J > 0)) return;
-    *pair.stored = std::max(0.0, *pair.stored - J * (mean + 0.5 * w * J));
-    pair.push(nodes, J);
+  /// No spring gives back more than it has stored: its impulse works along the mean of the velocities before and after
+  /// the step, J (v- + v+)/2. A spring that is sampled in steps would otherwise add up to kappa dt^2/4 of the energy of
+  /// an impact, for it is entered and left within a step, and chatter near the stable step.
+  static void limit_what_comes_back(std::vector<ContactPair>& pairs, const std::vector<double>& before,
+                                    ContactNodes& nodes) {
+    const auto mean = [&](std::size_t p) { return 0.5 * (before[p] + pairs[p].normal.dot(pairs[p].velocity(nodes))); };
+    for (int sweep = 0; sweep < 2; ++sweep)  // what one gives less, its neighbours work less
+      for (std::size_t p = 0; p < pairs.size(); ++p) {
+        ContactPair& pair = pairs[p];
+        const double J = pair.impulse, w = pair.yielding, v = mean(p);
+        if (!(J * v > *pair.stored)) continue;
+        const double alone = v - 0.5 * w * J, left = std::max(0.0, alone * alone + 2 * w * *pair.stored);
+        pair.push(nodes, std::clamp((std::sqrt(left) - alone) / w, 0.0, J) - J);
+      }
+    for (std::size_t p = 0; p < pairs.size(); ++p) *pairs[p].stored -= pairs[p].impulse * mean(p);
   }
 };
 
