@@ -72,8 +72,8 @@ inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vect
     const double ds = std::clamp((c * h - b * g) / det, -2.0, 2.0), dt = std::clamp((c * g - a * h) / det, -2.0, 2.0);
     s = std::clamp(s + ds, -3.0, 3.0), t = std::clamp(t + dt, -3.0, 3.0);
     r = m0 + s * m1 + t * m2 + s * t * m3 - x;
-    found = std::abs(ds) + std::abs(dt) < 1e-12;
-    if (iteration == 0 && m3.squaredNorm() < 1e-28 * (a + b)) found = true;
+    found = std::abs(ds) + std::abs(dt) < 1e-7;  // Newton squares it
+    if (iteration == 0 && m3.squaredNorm() < 1e-20 * (a + b)) found = true;
   }
   ClosestPoint point;
   const bool is_inside = std::abs(s) <= 1 && std::abs(t) <= 1;
