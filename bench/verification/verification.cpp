@@ -13,6 +13,7 @@
 #include <strike/element/hex8_full.hpp>
 
 #include "problems/free_cubes.hpp"
+#include "problems/hertz.hpp"
 #include "problems/revolutions.hpp"
 #include "problems/taylor_bar.hpp"
 #include "problems/taylor_tetrahedra.hpp"
@@ -58,6 +59,17 @@ void incompressible_cubes(const char* name) {
   std::printf("<!-- %s: stable step %.4f h/c, kinetic energy %.3g of the first -->\n", name,
               run.stable_step().dt * free_cubes::wave_speed() / free_cubes::h,
               run.energy().kinetic / run.energy().initial);
+}
+
+/// A ball on a rigid plane against Hertz, with so many elements to an octant's edge.
+template <class... Policies>
+void ball_on_plane(const char* name, Index cells, double grading, const Policies&... policies) {
+  const hertz::Impact impact = hertz::strike_plane(cells, grading, policies...);
+  row(name, "force", {1, 0.02}, impact.force, "of Hertz'");
+  row(name, "time of contact", {1, 0.02}, impact.time, "of Hertz'");
+  row(name, "approach", {1, 0.02}, impact.approach, "of Hertz'");
+  row(name, "speed of rebound", {1, 0.01}, impact.rebound, "of the first");
+  std::printf("<!-- %s: %zu steps, the contact has kept %.2g of the energy -->\n", name, impact.steps, impact.lost);
 }
 
 /// 1e4 revolutions by 0.01 a step.
@@ -126,5 +138,8 @@ int main(int count, char** arguments) {
   if (is_wanted("D7 blend")) bird("D7 blend", 0.9);
   if (is_wanted("D8 Hex8")) many_revolutions("D8 Hex8", Hex8{});
   if (is_wanted("D2 undamped")) incompressible_cubes("D2 undamped");
+  if (is_wanted("Hertz 12")) ball_on_plane("Hertz 12", 12, 20);
+  if (is_wanted("Hertz 18")) ball_on_plane("Hertz 18", 18, 40);
+  if (is_wanted("Hertz 18 penalty")) ball_on_plane("Hertz 18 penalty", 18, 40, Penalty{});
   plates();
 }

@@ -356,6 +356,9 @@ class Explicit {
     });
     tell_deleted();
     bound_.extend(stable_, nodes_, things_, execution_);
+    each([&](auto& thing) {
+      if constexpr (requires { thing.stable_step(stable_.dt); }) stable_.dt = thing.stable_step(stable_.dt);
+    });
   }
 
   /// Those who want to know learn which elements are left.

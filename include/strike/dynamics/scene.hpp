@@ -43,6 +43,7 @@ constexpr bool is_sound() {
 /// A thing has some of these verbs, which a step calls in this order, and among things in the order of the scene:
 /// - `begin(nodes)`, once: initial conditions, and a look at all nodes;
 /// - `deform(nodes, dt, ledger, execution)`: a part's forces at the new positions; returns its StableStep;
+/// - `stable_step(dt)`: what the thing leaves of a stable step, after all parts have told theirs;
 /// - `push(nodes, time)`: adds forces; `power(nodes)`: what these do at the present velocities;
 /// - `constrain(nodes, step, ledger)`: gives the velocities of the step to come along the directions that the thing has
 ///   taken from its nodes by `nodes.hold` in `begin`;

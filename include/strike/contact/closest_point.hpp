@@ -1,0 +1,99 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <strike/tensor/tensor.hpp>
+
+namespace strike::detail {
+
+/// The positions of the corners of a face; of a triangle the last is not looked at.
+using Corners = std::array<Eigen::Vector3d, 4>;
+
+/// The point of a face that is closest to a node: x_c = sum of N_I x_I.
+struct ClosestPoint {
+  enum Where { inside, on_edge, at_corner };
+
+  std::array<double, 4> N{};                       ///< shares of the corners, none negative, of the sum 1
+  Eigen::Vector3d away = Eigen::Vector3d::Zero();  ///< from x_c to the node [length]
+  double distance2 = std::numeric_limits<double>::infinity();
+  Where where = inside;
+  unsigned which = 0;  ///< the edge, from corner `which` to the next, or the corner
+};
+
+/// On an edge between the corners i and j.
+inline void approach_edge(ClosestPoint& best, const Corners& X, const Eigen::Vector3d& x, unsigned i, unsigned j) {
+  const Eigen::Vector3d along = X[j] - X[i], from = x - X[i];
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp(from.dot(along) / length2, 0.0, 1.0) : 0.0;
+  const Eigen::Vector3d away = from - t * along;
+  if (!(away.squaredNorm() < best.distance2)) return;
+  best = {.away = away, .distance2 = away.squaredNorm()};
+  best.N[i] = 1 - t, best.N[j] = t;
+  best.where = t > 0 && t < 1 ? ClosestPoint::on_edge : ClosestPoint::at_corner;
+  best.which = t < 1 ? i : j;
+}
+
+/// Of a plane triangle: its barycentric coordinates, or if these lie outside the closest of its edges.
+inline ClosestPoint closest_on_triangle(const Corners& X, const Eigen::Vector3d& x) {
+  const Eigen::Vector3d b = X[1] - X[0], c = X[2] - X[0], r = x - X[0], normal = cross<double>(b, c);
+  const double area2 = normal.squaredNorm();
+  ClosestPoint point;
+  if (area2 > 0) {
+    const double s = cross<double>(r, c).dot(normal) / area2, t = cross<double>(b, r).dot(normal) / area2;
+    if (s >= 0 && t >= 0 && s + t <= 1) {
+      point.N = {1 - s - t, s, t, 0};
+      point.away = (r.dot(normal) / area2) * normal;
+      point.distance2 = point.away.squaredNorm();
+      return point;
+    }
+  }
+  for (unsigned i = 0; i < 3; ++i) approach_edge(point, X, x, i, (i + 1) % 3);
+  return point;
+}
+
+/// Of a bilinear quadrilateral x(s, t) = m0 + s m1 + t m2 + s t m3, |s|, |t| <= 1: r = x(s, t) - x at right angles to
+/// both tangents, by Newton. Where a strong warp makes Newton's matrix indefinite, the step leaves the warp out (Gauss
+/// and Newton), which always descends.
+inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vector3d& x) {
+  const Eigen::Vector3d m0 = 0.25 * (X[0] + X[1] + X[2] + X[3]), m1 = 0.25 * (X[1] + X[2] - X[0] - X[3]),
+                        m2 = 0.25 * (X[2] + X[3] - X[0] - X[1]), m3 = 0.25 * (X[0] - X[1] + X[2] - X[3]);
+  double s = 0, t = 0;
+  Eigen::Vector3d r = m0 - x;
+  bool found = false;
+  for (int iteration = 0; iteration < 20 && !found; ++iteration) {
+    const Eigen::Vector3d along_s = m1 + t * m3, along_t = m2 + s * m3;
+    const double a = along_s.squaredNorm(), b = along_t.squaredNorm(), tangents = along_s.dot(along_t);
+    double c = tangents + r.dot(m3), det = a * b - c * c;
+    if (!(det > 1e-3 * a * b)) c = tangents, det = a * b - c * c;
+    if (!(det > 1e-14 * a * b)) break;
+    const double g = r.dot(along_s), h = r.dot(along_t);
+    const double ds = std::clamp((c * h - b * g) / det, -2.0, 2.0), dt = std::clamp((c * g - a * h) / det, -2.0, 2.0);
+    s = std::clamp(s + ds, -3.0, 3.0), t = std::clamp(t + dt, -3.0, 3.0);
+    r = m0 + s * m1 + t * m2 + s * t * m3 - x;
+    found = std::abs(ds) + std::abs(dt) < 1e-7;  // Newton squares it
+    if (iteration == 0 && m3.squaredNorm() < 1e-20 * (a + b)) found = true;
+  }
+  ClosestPoint point;
+  const bool is_inside = std::abs(s) <= 1 && std::abs(t) <= 1;
+  if (is_inside) {
+    const double p = 0.25 * (1 + t), m = 0.25 * (1 - t);
+    point = {.N = {(1 - s) * m, (1 + s) * m, (1 + s) * p, (1 - s) * p}, .away = -r, .distance2 = r.squaredNorm()};
+  }
+  const bool is_flat = m3.squaredNorm() < 1e-2 * std::min(m1.squaredNorm(), m2.squaredNorm());
+  if (!is_inside || !found || !is_flat)  // of a strong warp an edge may be closer than what Newton has found
+    for (unsigned i = 0; i < 4; ++i) approach_edge(point, X, x, i, (i + 1) % 4);
+  return point;
+}
+
+/// The unit normal of a face where the corners have the shares N.
+inline Eigen::Vector3d normal_at(const Corners& X, const std::array<double, 4>& N, bool is_triangle) {
+  if (is_triangle) return cross<double>(X[1] - X[0], X[2] - X[0]).normalized();
+  const Eigen::Vector3d along_s = (N[0] + N[1]) * (X[1] - X[0]) + (N[2] + N[3]) * (X[2] - X[3]);
+  const Eigen::Vector3d along_t = (N[0] + N[3]) * (X[3] - X[0]) + (N[1] + N[2]) * (X[2] - X[1]);
+  const Eigen::Vector3d normal = cross<double>(along_s, along_t);
+  return (normal.squaredNorm() > 0 ? normal : cross<double>(X[2] - X[0], X[3] - X[1])).normalized();
+}
+
+}  // namespace strike::detail

@@ -1,0 +1,133 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <vector>
+
+#include <strike/contact/contact_nodes.hpp>
+#include <strike/error.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// The normal law of a contact.
+/// A model has `press(pairs, nodes, step)`: gives the pairs impulses J >= 0 by `pair.push(nodes, J)` and returns the
+/// largest kappa, stiffness over mass [1/time^2], that it has set on a node (0: none), from which the step follows. If
+/// that may exceed what the step allows, also `kappa(yielding)`: what a first touch of a pair with 1/m* may set.
+/// Laws: it never pulls; a contact gives back no more energy than it took; what it does does not depend on threads.
+template <class L>
+concept ContactLaw = std::copyable<L> &&
+    requires(const L law, std::vector<ContactPair> pairs, ContactNodes nodes, const Step step) {
+  { law.press(pairs, nodes, step) } -> std::convertible_to<double>;
+};
+
+/// The stable step of elements that have the stable step `dt` alone, with a contact of kappa = k/m* on some of their
+/// nodes: dt sqrt(2/(1 + sqrt(1 + s^2))), s = kappa dt^2/2. Exact for the end of a uniform chain [derived]: the
+/// spectrum of the chain seen from there is the arcsine law on [0, W^2], W = 2/dt, so that its resolvent is
+/// 1/sqrt(w^2 (w^2 - W^2)), and the bound state above the spectrum has w^2 (w^2 - W^2) = kappa^2.
+inline double stable_step_with_contact(double dt, double kappa) {
+  if (!(kappa > 0)) return dt;
+  const double s = 0.5 * kappa * dt * dt;
+  return dt * std::sqrt(2 / (1 + std::sqrt(1 + s * s)));
+}
+
+/// The impulse that brings the node to the surface at the end of the step: an inelastic impact of m*. It needs no
+/// stiffness and no smaller step, and nothing passes it at any speed. Pairs that share nodes are corrected one after
+/// the other, `sweeps` times, each with the velocities that those before have left. A node that is inside, since its
+/// neighbours moved its face, comes out no faster than it came in: no impulse adds energy.
+struct Kinematic {
+  int sweeps = 2;
+
+  double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (ContactPair& pair : pairs) {
+        const double approach = pair.normal.dot(pair.velocity(nodes));
+        const double wanted = std::min(-pair.gap / step.dt, std::max(0.0, -approach));
+        if (approach < wanted && pair.yielding > 0) pair.push(nodes, (wanted - approach) / pair.yielding);
+      }
+    return 0;
+  }
+};
+
+/// The force of a spring k against the depth at the time n. Either k = fraction m*/dt^2, of which the sum over all
+/// pairs of a node never exceeds the fraction, so that the step stays nearly that of the elements: kappa_I dt^2 <=
+/// fraction with kappa_I = sum of k (1 + sum of N_J) N_I/m_I over the pairs of node I, a bound of the highest frequency
+/// (Gershgorin). Or a `stiffness` for every node [force/length], and the step becomes what that needs. No spring gives
+/// back more than it took.
+struct Penalty {
+  double fraction = 0.5;
+  double stiffness = 0;
+
+  double kappa(double yielding) const { return stiffness * yielding; }
+  double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
+    std::vector<double> sum(nodes.size(), 0.0);  // kappa_I
+    const auto add = [&](const ContactPair& pair) {
+      double moved = 1;  // by the norm of the pair's row
+      for (unsigned i = 0; i < pair.count; ++i)
+        if (nodes.inverse_mass(pair.corners[i]) > 0) moved += pair.N[i];
+      const double k = pair.stiffness * moved;
+      sum[pair.node] += k * nodes.inverse_mass(pair.node);
+      for (unsigned i = 0; i < pair.count; ++i)
+        sum[pair.corners[i]] += k * pair.N[i] * nodes.inverse_mass(pair.corners[i]);
+    };
+    const auto largest = [&](const ContactPair& pair) {
+      double most = sum[pair.node];
+      for (unsigned i = 0; i < pair.count; ++i) most = std::max(most, sum[pair.corners[i]]);
+      return most;
+    };
+    const double allowed = fraction / (step.dt * step.dt);
+    for (ContactPair& pair : pairs) {
+      pair.stiffness = !(pair.yielding > 0) ? 0 : stiffness > 0 ? stiffness : allowed / pair.yielding;
+      add(pair);
+    }
+    double most = 0;
+    std::vector<double> before;  // velocities before the forces of this step
+    for (ContactPair& pair : pairs) {
+      double here = largest(pair);
+      if (!(stiffness > 0) && here > allowed) pair.stiffness *= allowed / here, here = allowed;
+      most = std::max(most, here);
+      before.push_back(pair.normal.dot(Eigen::Vector3d(pair.velocity(nodes) - pair.kicked(nodes))));
+    }
+    for (ContactPair& pair : pairs)
+      if (pair.gap < 0 && pair.yielding > 0) pair.push(nodes, pair.stiffness * -pair.gap * step.kick());
+    limit_what_comes_back(pairs, before, nodes);
+    return stiffness > 0 ? most : allowed;  // the same in every step: one that changed would cost balance
+  }
+
+ private:
+  /// No spring gives back more than it has stored: its impulse works along the mean of the velocities before and after
+  /// the step, J (v- + v+)/2. A spring that is sampled in steps would otherwise add up to kappa dt^2/4 of the energy of
+  /// an impact, for it is entered and left within a step, and chatter near the stable step.
+  static void limit_what_comes_back(std::vector<ContactPair>& pairs, const std::vector<double>& before,
+                                    ContactNodes& nodes) {
+    const auto mean = [&](std::size_t p) { return 0.5 * (before[p] + pairs[p].normal.dot(pairs[p].velocity(nodes))); };
+    for (int sweep = 0; sweep < 2; ++sweep)  // what one gives less, its neighbours work less
+      for (std::size_t p = 0; p < pairs.size(); ++p) {
+        ContactPair& pair = pairs[p];
+        const double J = pair.impulse, w = pair.yielding, v = mean(p);
+        if (!(J * v > *pair.stored)) continue;
+        const double alone = v - 0.5 * w * J, left = std::max(0.0, alone * alone + 2 * w * *pair.stored);
+        pair.push(nodes, std::clamp((std::sqrt(left) - alone) / w, 0.0, J) - J);
+      }
+    for (std::size_t p = 0; p < pairs.size(); ++p) *pairs[p].stored -= pairs[p].impulse * mean(p);
+  }
+};
+
+namespace detail {
+
+inline void check_law(const Penalty& law) {
+  if (!(law.fraction > 0 && law.fraction <= 2) || !(law.stiffness >= 0))
+    throw Error(
+        joined({"strike: a Penalty has the fraction ", text(law.fraction), " and the stiffness ", text(law.stiffness),
+                "; the fraction of m*/dt^2 is to be between 0 and 2, such as 0.5, and a "
+                "stiffness positive or left out."}));
+}
+inline void check_law(const Kinematic& law) {
+  if (law.sweeps < 1) throw Error("strike: a Kinematic law makes no sweep; give 1 or more, such as 2.");
+}
+inline void check_law(const auto&) {}
+
+}  // namespace detail
+
+}  // namespace strike

@@ -1,0 +1,142 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <strike/mesh/mesh.hpp>
+
+namespace strike::detail {
+
+/// Which nodes are within a reach of which faces: the nodes are sorted into buckets of the size of the faces, and each
+/// face looks into those that the box around it, larger by the reach, overlaps. Only buckets that hold nodes take
+/// memory: they are found by their hash. The work is linear in nodes and faces.
+class BucketSearch {
+ public:
+  using Corners = std::array<Index, 4>;
+
+  /// Afterwards `near(s)` are the faces whose box, larger by `reach`, holds x[nodes[s]], in ascending order. If the
+  /// boxes around all nodes and all faces are farther apart than the reach, returns by how much; otherwise 0.
+  double sort(std::span<const Index> nodes, std::span<const Corners> faces, std::span<const Eigen::Vector3d> x,
+              double reach) {
+    begin_.assign(nodes.size() + 1, 0);
+    near_.clear(), awake_.clear();
+    Box all_nodes, all_faces;
+    for (const Index i : nodes) all_nodes.take(x[i]);
+    boxes_.resize(faces.size());
+    double size = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      boxes_[f] = {};
+      for (const Index i : faces[f]) boxes_[f].take(x[i]);
+      size += (boxes_[f].upper - boxes_[f].lower).maxCoeff();
+      all_faces.take(boxes_[f].lower), all_faces.take(boxes_[f].upper);
+      boxes_[f].grow(reach);
+    }
+    if (nodes.empty() || faces.empty()) return std::numeric_limits<double>::infinity();
+    const double apart =
+        std::max((all_nodes.lower - all_faces.upper).maxCoeff(), (all_faces.lower - all_nodes.upper).maxCoeff());
+    if (apart > reach) return apart - reach;
+
+    all_faces.grow(reach), all_nodes.grow(reach);
+    edge_ = std::max(size / static_cast<double>(faces.size()) + 2 * reach, std::numeric_limits<double>::min());
+    fill_buckets(nodes, x, all_faces);
+    found_.clear();
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (all_nodes.overlaps(boxes_[f])) look(static_cast<Index>(f), nodes, x);
+    for (const auto& [s, f] : found_) ++begin_[s + 1];
+    for (std::size_t s = 0; s < nodes.size(); ++s) {
+      if (begin_[s + 1] > 0) awake_.push_back(static_cast<Index>(s));
+      begin_[s + 1] += begin_[s];
+    }
+    near_.resize(found_.size());
+    std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
+    for (const auto& [s, f] : found_) near_[end[s]++] = f;
+    return 0;
+  }
+
+  std::span<const Index> near(std::size_t s) const { return {&near_[0] + begin_[s], begin_[s + 1] - begin_[s]}; }
+  /// The nodes that have a face near, by their places in the list that was sorted.
+  const std::vector<Index>& awake() const { return awake_; }
+
+ private:
+  struct Box {
+    Eigen::Vector3d lower = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+    void take(const Eigen::Vector3d& x) { lower = lower.cwiseMin(x), upper = upper.cwiseMax(x); }
+    void grow(double reach) { lower.array() -= reach, upper.array() += reach; }
+    bool holds(const Eigen::Vector3d& x) const {
+      return (x.array() >= lower.array()).all() && (x.array() <= upper.array()).all();
+    }
+    bool overlaps(const Box& other) const {
+      return (lower.array() <= other.upper.array()).all() && (other.lower.array() <= upper.array()).all();
+    }
+  };
+  struct Found {
+    Index node, face;
+  };
+  using Bucket = std::array<std::int64_t, 3>;
+  struct Filed {
+    Bucket bucket;
+    Index node;
+  };
+
+  Bucket bucket_of(const Eigen::Vector3d& x) const {
+    const auto along = [&](double a) {
+      return static_cast<std::int64_t>(std::floor(std::clamp(a / edge_, -1e15, 1e15)));
+    };
+    return {along(x[0]), along(x[1]), along(x[2])};
+  }
+  std::size_t slot(const Bucket& b) const {  // Teschner et al. 2003, "Optimized spatial hashing", eq. (1)
+    return (static_cast<std::uint64_t>(b[0]) * 73856093u ^ static_cast<std::uint64_t>(b[1]) * 19349663u ^
+            static_cast<std::uint64_t>(b[2]) * 83492791u) &
+           (slots_ - 1);
+  }
+
+  void fill_buckets(std::span<const Index> nodes, std::span<const Eigen::Vector3d> x, const Box& region) {
+    slots_ = 1;
+    while (slots_ < nodes.size()) slots_ *= 2;
+    slot_begin_.assign(slots_ + 1, 0);
+    filed_.clear();
+    for (std::size_t s = 0; s < nodes.size(); ++s)
+      if (region.holds(x[nodes[s]])) filed_.push_back({bucket_of(x[nodes[s]]), static_cast<Index>(s)});
+    for (const Filed& filed : filed_) ++slot_begin_[slot(filed.bucket) + 1];
+    for (std::size_t k = 0; k < slots_; ++k) slot_begin_[k + 1] += slot_begin_[k];
+    sorted_.resize(filed_.size());
+    slot_end_.assign(slot_begin_.begin(), slot_begin_.end() - 1);
+    for (const Filed& filed : filed_) sorted_[slot_end_[slot(filed.bucket)]++] = filed;
+  }
+
+  void look(Index f, std::span<const Index> nodes, std::span<const Eigen::Vector3d> x) {
+    const Box& box = boxes_[f];
+    const Bucket first = bucket_of(box.lower), last = bucket_of(box.upper);
+    const double buckets = static_cast<double>(last[0] - first[0] + 1) * static_cast<double>(last[1] - first[1] + 1) *
+                           static_cast<double>(last[2] - first[2] + 1);
+    if (buckets > static_cast<double>(sorted_.size())) {  // a face much larger than others
+      for (const Filed& filed : sorted_)
+        if (box.holds(x[nodes[filed.node]])) found_.push_back({filed.node, f});
+      return;
+    }
+    for (auto k = first[2]; k <= last[2]; ++k)
+      for (auto j = first[1]; j <= last[1]; ++j)
+        for (auto i = first[0]; i <= last[0]; ++i) {
+          const Bucket bucket{i, j, k};
+          const std::size_t at = slot(bucket);
+          for (std::size_t n = slot_begin_[at]; n < slot_begin_[at + 1]; ++n)
+            if (sorted_[n].bucket == bucket && box.holds(x[nodes[sorted_[n].node]]))
+              found_.push_back({sorted_[n].node, f});
+        }
+  }
+
+  double edge_ = 1;
+  std::size_t slots_ = 1;
+  std::vector<Box> boxes_;
+  std::vector<Filed> filed_, sorted_;
+  std::vector<Found> found_;
+  std::vector<std::size_t> slot_begin_, slot_end_, begin_;
+  std::vector<Index> near_, awake_;
+};
+
+}  // namespace strike::detail

@@ -1,0 +1,91 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/mesh/surface.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// Faces that may be touched. Without thickness they bound a solid and are touched from outside, the side from which
+/// their corners run counter-clockwise; with one they are the middle of a plate, which is touched from both sides half
+/// a thickness away.
+///   Surface{surface(mesh)}                 Surface{quadrilateral_surface(mesh.quadrilaterals), 2e-3}
+///   solid_surface(mesh.hexahedra, 0)       plate_surface(mesh.quadrilaterals, 2e-3, 1)   // of parts that may lose
+///   cells
+class Surface {
+ public:
+  /// Errors: no face; a negative thickness [length].
+  explicit Surface(std::vector<Face> faces, double thickness = 0) : faces_(std::move(faces)), thickness_(thickness) {
+    if (faces_.empty())
+      throw Error("strike: a Surface has no faces; give it some, such as surface(mesh) or solid_surface(cells, part).");
+    if (!(thickness >= 0))
+      throw Error(detail::joined({"strike: a Surface has the thickness ", detail::text(thickness),
+                                  "; give that of the plate, or none if it bounds a solid."}));
+  }
+
+  const std::vector<Face>& faces() const { return faces_; }
+  double thickness() const { return thickness_; }
+
+  /// The nodes that are on it or can come to be, in ascending order.
+  std::vector<Index> nodes() const { return surface_nodes(of_cells_.empty() ? faces_ : of_cells_); }
+
+  /// Takes the cells of a part away that are not alive (0), and with them their faces; what they covered is outside
+  /// from now on. Whether anything changed. Linear in the cells of the part. Error: fewer flags than cells.
+  bool remove(std::size_t part, std::span<const unsigned char> alive) {
+    if (part_ != part) return false;
+    const auto is_gone = [&](const Face& face) {
+      if (face.cell >= alive.size())
+        throw Error(detail::joined({"strike: the cells of part ", std::to_string(part), " have ",
+                                    std::to_string(alive.size()), " flags, but one of them is cell ",
+                                    std::to_string(face.cell), "; give one flag for each."}));
+      return !alive[face.cell];
+    };
+    const auto gone = std::remove_if(of_cells_.begin(), of_cells_.end(), is_gone);
+    if (gone == of_cells_.end()) return false;
+    of_cells_.erase(gone, of_cells_.end());
+    faces_ = thickness_ > 0 ? of_cells_ : detail::unshared(of_cells_);
+    return true;
+  }
+
+ private:
+  friend Surface solid_surface(const Cells<8>&, std::size_t);
+  friend Surface solid_surface(const Cells<4>&, std::size_t);
+  friend Surface plate_surface(const Cells<4>&, double, std::size_t);
+
+  /// All faces of all cells, those inside too.
+  Surface(std::vector<Face> faces, std::vector<Face> of_cells, double thickness, std::size_t part)
+      : Surface(std::move(faces), thickness) {
+    of_cells_ = std::move(of_cells), part_ = part;
+  }
+
+  std::vector<Face> faces_, of_cells_;
+  double thickness_;
+  std::optional<std::size_t> part_;
+};
+
+/// The outside of the hexahedra of a part, by its place among the parts of the scene.
+inline Surface solid_surface(const Cells<8>& cells, std::size_t part) {
+  std::vector<Face> all;
+  detail::append_faces(all, cells, detail::hexahedron_faces, 0);
+  return Surface(detail::unshared(all), all, 0, part);
+}
+/// The same of tetrahedra.
+inline Surface solid_surface(const Cells<4>& cells, std::size_t part) {
+  std::vector<Face> all;
+  detail::append_faces(all, cells, detail::tetrahedron_faces, 0);
+  return Surface(detail::unshared(all), all, 0, part);
+}
+/// The plates of a part, `thickness` in all [length].
+inline Surface plate_surface(const Cells<4>& cells, double thickness, std::size_t part) {
+  return Surface(quadrilateral_surface(cells), quadrilateral_surface(cells), thickness, part);
+}
+
+}  // namespace strike

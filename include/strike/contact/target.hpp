@@ -1,0 +1,132 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <strike/contact/closest_point.hpp>
+#include <strike/error.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
+#include <strike/text.hpp>
+
+namespace strike::detail {
+
+/// Where a node stands over a face.
+struct Foot {
+  Index face = 0;
+  ClosestPoint point;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< from the closest point, to the outside
+  double height = 0;                                 ///< the distance, negative inside [length]
+  bool on_border = false;                            ///< on an edge that no other face shares
+};
+
+/// Faces that are touched, with their neighbours.
+class Target {
+ public:
+  static constexpr Index none = std::numeric_limits<Index>::max();
+
+  Target() = default;
+  /// Corners of the faces in the numbers of n ContactNodes; a triangle repeats its third.
+  Target(std::vector<std::array<Index, 4>> faces, std::size_t n) : faces_(std::move(faces)), first_(n + 1, 0) {
+    const auto each_corner = [&](auto f) {
+      for (std::size_t k = 0; k < faces_.size(); ++k)
+        for (unsigned i = 0; i < count(k); ++i) f(k, faces_[k][i]);
+    };
+    each_corner([&](std::size_t, Index i) { ++first_[i + 1]; });
+    for (std::size_t i = 0; i < n; ++i) first_[i + 1] += first_[i];
+    at_.resize(first_.back());
+    std::vector<std::size_t> end(first_.begin(), first_.end() - 1);
+    each_corner([&](std::size_t k, Index i) { at_[end[i]++] = static_cast<Index>(k); });
+    across_.resize(faces_.size());
+    for (std::size_t k = 0; k < faces_.size(); ++k)
+      for (unsigned i = 0; i < 4; ++i) across_[k][i] = i < count(k) ? find_across(k, i) : none;
+  }
+
+  const std::vector<std::array<Index, 4>>& faces() const { return faces_; }
+  unsigned count(std::size_t face) const { return faces_[face][2] == faces_[face][3] ? 3 : 4; }
+  bool has(Index face, Index node) const {
+    return std::find(faces_[face].begin(), faces_[face].end(), node) != faces_[face].end();
+  }
+  /// Those that have this corner.
+  std::span<const Index> at(Index node) const { return {at_.data() + first_[node], first_[node + 1] - first_[node]}; }
+
+  Corners corners(Index face, std::span<const Eigen::Vector3d> x) const {
+    const auto& c = faces_[face];
+    return {x[c[0]], x[c[1]], x[c[2]], x[c[3]]};
+  }
+  Corners corners(Index face, std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> v, double t) const {
+    Corners X = corners(face, x);
+    for (unsigned i = 0; i < 4; ++i) X[i] += t * v[faces_[face][i]];
+    return X;
+  }
+
+  ClosestPoint closest(Index face, const Corners& X, const Eigen::Vector3d& at) const {
+    return count(face) == 3 ? closest_on_triangle(X, at) : closest_on_quadrilateral(X, at);
+  }
+  Foot foot(Index face, const Corners& X, const Eigen::Vector3d& at, std::span<const Eigen::Vector3d> x) const {
+    return foot(face, X, closest(face, X, at), x);
+  }
+  /// The foot of a point on a face. Over an edge or a corner the side is that of the normals around it, weighted by
+  /// their angles: then it is right on every closed surface (Baerentzen and Aanaes 2005).
+  Foot foot(Index face, const Corners& X, const ClosestPoint& point, std::span<const Eigen::Vector3d> x) const {
+    Foot foot;
+    foot.face = face, foot.point = point;
+    const bool triangle = count(face) == 3;
+    if (foot.point.where == ClosestPoint::inside) {
+      foot.normal = normal_at(X, foot.point.N, triangle);
+      foot.height = foot.normal.dot(foot.point.away);
+      return foot;
+    }
+    const Eigen::Vector3d outside = outside_of(foot, X, x);
+    const double distance = std::sqrt(foot.point.distance2);
+    const double side = foot.point.away.dot(outside) < 0 ? -1 : 1;
+    const bool apart = distance > 1e-12 * (X[2] - X[0]).norm();
+    foot.height = side * distance;
+    foot.normal = apart ? Eigen::Vector3d((side / distance) * foot.point.away) : outside.normalized();
+    return foot;
+  }
+
+ private:
+  Index find_across(std::size_t k, unsigned i) const {
+    const Index a = faces_[k][i], b = faces_[k][(i + 1) % count(k)];
+    for (const Index other : at(a))
+      if (other != k && has(other, b)) return other;
+    return none;
+  }
+
+  Eigen::Vector3d outside_of(Foot& foot, const Corners& X, std::span<const Eigen::Vector3d> x) const {
+    const auto& point = foot.point;
+    if (point.where == ClosestPoint::on_edge) {
+      const Index other = across_[foot.face][point.which];
+      foot.on_border = other == none;
+      const Eigen::Vector3d own = mean_normal(X);
+      return other == none ? own : Eigen::Vector3d(own + mean_normal(corners(other, x)));
+    }
+    const Index corner = faces_[foot.face][point.which];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Index face : at(corner)) {
+      const Corners Y = corners(face, x);
+      const unsigned n = count(face);
+      for (unsigned i = 0; i < n; ++i) {
+        if (faces_[face][i] != corner) continue;
+        const Eigen::Vector3d a = Y[(i + 1) % n] - Y[i], b = Y[(i + n - 1) % n] - Y[i];
+        sum += std::atan2(cross<double>(a, b).norm(), a.dot(b)) * mean_normal(Y);
+        foot.on_border |= across_[face][i] == none || across_[face][(i + n - 1) % n] == none;
+      }
+    }
+    return sum;
+  }
+  static Eigen::Vector3d mean_normal(const Corners& X) { return cross<double>(X[2] - X[0], X[3] - X[1]).normalized(); }
+
+  std::vector<std::array<Index, 4>> faces_, across_;
+  std::vector<std::size_t> first_;
+  std::vector<Index> at_;
+};
+
+}  // namespace strike::detail

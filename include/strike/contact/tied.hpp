@@ -1,0 +1,122 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/pairing.hpp>
+#include <strike/contact/search.hpp>
+#include <strike/contact/surface.hpp>
+#include <strike/contact/target.hpp>
+#include <strike/error.hpp>
+#include <strike/mesh/describe.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/mesh/nodes.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// Nodes that stay where they begin on a surface: meshes that need not fit. Impulses that keep momentum, and where
+/// nodes lie on the faces its moment, take the velocity of every node relative to its point; they cost no stable step.
+/// Node after node, again and again until all fit.
+class Tied {
+ public:
+  /// Error, at the begin: a node farther from the surface than `tolerance`, if 0 a tenth of the mean face [length].
+  Tied(std::vector<Index> nodes, Surface surface, double tolerance = 0)
+      : nodes_(detail::ascending(std::move(nodes))), surface_(std::move(surface)), tolerance_(tolerance) {
+    if (nodes_.empty()) throw Error("strike: a Tied has no nodes; give it some, such as surface_nodes(faces).");
+  }
+
+  template <class N>
+  void begin(const N& nodes) {
+    all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {});
+    target_ = detail::target_of(surface_.faces(), all_);
+    const std::vector<Index> local = detail::to_local(nodes_, all_);
+    if (!(tolerance_ > 0))
+      for (const auto& face : target_.faces())
+        tolerance_ += 0.1 * (all_.x[face[2]] - all_.x[face[0]]).norm() / static_cast<double>(target_.faces().size());
+    detail::BucketSearch search;
+    search.sort(local, target_.faces(), all_.x, tolerance_);
+    for (std::size_t s = 0; s < local.size(); ++s) {
+      detail::Foot best;
+      for (const Index f : search.near(s)) {
+        if (target_.has(f, local[s]))
+          throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]),
+                                      " is tied to a surface that it "
+                                      "belongs to; take it out of the tied nodes."}));
+        const detail::Foot foot = target_.foot(f, target_.corners(f, all_.x), all_.x[local[s]], all_.x);
+        if (foot.point.distance2 < best.point.distance2) best = foot;
+      }
+      if (!(best.point.distance2 <= tolerance_ * tolerance_))
+        throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[local[s]]),
+                                    " is farther than ", detail::text(tolerance_),
+                                    " from the surface that it is to be tied to; move it there or give Tied a larger "
+                                    "tolerance."}));
+      ContactPair pair;
+      pair.node = local[s], pair.corners = target_.faces()[best.face], pair.N = best.point.N;
+      pair.count = target_.count(best.face);
+      const Eigen::Vector3d normal = detail::normal_at(target_.corners(best.face, all_.x), pair.N, pair.count == 3);
+      pair.gap = normal.dot(best.point.away);
+      if (std::abs(pair.gap) < 1e-9 * tolerance_) pair.gap = 0;
+      ties_.push_back(pair);
+      faces_.push_back(best.face);
+    }
+  }
+
+  template <class N, class Ledger>
+  void touch(N& nodes, const Step& step, Ledger& ledger) {
+    all_.gather(nodes);
+    all_.learn_what_is_held(nodes);
+    all_.gather_forces(nodes, ties_, step.kick());
+    double fastest = 0;
+    for (const auto& v : all_.v) fastest = std::max(fastest, v.norm());
+    sweeps_ = 0;
+    for (double left = 1; left > 1e-12 * fastest && sweeps_ < 100; ++sweeps_) {
+      left = 0;
+      for (std::size_t k = 0; k < ties_.size(); ++k) left = std::max(left, pull(k, step.dt));
+    }
+    all_.give_back(nodes, ledger);
+    step_ = step;
+  }
+
+  /// The force on the tied nodes in the last step.
+  Eigen::Vector3d force() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const ContactPair& tie : ties_) sum += all_.pushed[tie.node];
+    return sum / step_.kick();
+  }
+  /// How many times the nodes had to be gone through in the last step.
+  int sweeps() const { return sweeps_; }
+
+ private:
+  /// Takes the relative velocity that a node will have had, place and all, at the end of the step; returns what it was.
+  double pull(std::size_t k, double dt) {
+    ContactPair& tie = ties_[k];
+    const auto ahead = [&](Index i) { return Eigen::Vector3d(all_.x[i] + dt * all_.v[i]); };
+    Eigen::Vector3d off = ahead(tie.node);
+    for (unsigned i = 0; i < tie.count; ++i) off -= tie.N[i] * ahead(tie.corners[i]);
+    if (tie.gap != 0)
+      off -= tie.gap * detail::normal_at(target_.corners(faces_[k], all_.x, all_.v, dt), tie.N, tie.count == 3);
+    const Eigen::Vector3d v = off / dt;
+    for (int a = 0; a < 3; ++a) {
+      tie.normal = Eigen::Vector3d::Unit(a);
+      if (const double yielding = tie.yielding_along(all_, tie.normal); yielding > 0) tie.push(all_, -v[a] / yielding);
+    }
+    return v.norm();
+  }
+
+  std::vector<Index> nodes_, faces_;
+  Surface surface_;
+  double tolerance_;
+  ContactNodes all_;
+  detail::Target target_;
+  std::vector<ContactPair> ties_;
+  Step step_;
+  int sweeps_ = 0;
+};
+
+}  // namespace strike

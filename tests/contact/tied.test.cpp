@@ -1,0 +1,83 @@
+#include <cmath>
+#include <vector>
+
+#include <strike/contact/tied.hpp>
+#include <strike/element/hex8.hpp>
+#include <strike/load/initial_velocity.hpp>
+#include <strike/mesh/surface.hpp>
+#include <strike/mesh/transform.hpp>
+
+#include "problems/column.hpp"
+#include "support/catch.hpp"
+
+using namespace strike;
+
+namespace {
+
+/// Two blocks, one on the other, with 2 x 2 and 3 x 3 cells where they meet at z = 1.
+struct Stack {
+  Mesh mesh = box({.size = {1, 1, 1}, .cells = {2, 2, 2}});
+  Index first_upper = append(mesh, box({.lower = {0, 0, 1}, .size = {1, 1, 1}, .cells = {3, 3, 3}}));
+  std::vector<Index> nodes;
+  std::vector<Face> faces;
+
+  Stack() {
+    for (Index i = first_upper; i < mesh.nodes.size(); ++i)
+      if (mesh.nodes[i].z() < 1 + 1e-9) nodes.push_back(i);
+    for (const Face& face : surface(mesh))
+      if (face.nodes[0] < first_upper && area_vector(mesh.nodes, face).normalized().z() > 0.9) faces.push_back(face);
+  }
+  template <class Field>
+  auto run(Field field) const {
+    return Explicit{Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra},
+                          Tied{nodes, Surface{faces}}, InitialVelocityField{field}}};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("tied meshes that do not fit move as one, and keep momentum and energy") {
+  const Stack stack;
+  auto run = stack.run([](const Eigen::Vector3d& x) {  // a turn and a stretch
+    const Eigen::Vector3d r = x - Eigen::Vector3d(0.5, 0.5, 1);
+    return Eigen::Vector3d(cross<double>(Eigen::Vector3d(0.3, 2, 0.5), r) + Eigen::Vector3d(1, 2, 0.8 * r.z()));
+  });
+  const auto angular = [&] {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < run.nodes().size(); ++i)
+      sum += run.nodes().mass(i) * cross<double>(run.nodes().x(i), run.nodes().v(i));
+    return sum;
+  };
+  const Eigen::Vector3d momentum = run.momentum(), spin = angular();
+  for (int n = 0; n < 400; ++n) run.step();
+  CHECK((run.momentum() - momentum).norm() < 1e-10 * momentum.norm());
+  CHECK((angular() - spin).norm() < 1e-10 * spin.norm());
+  CHECK(std::abs(run.energy().error()) < 1e-3);
+  CHECK(std::abs(run.energy().contact) < 2e-3 * run.energy().initial);
+  for (std::size_t k = 0; k < stack.nodes.size(); ++k) {  // where they were on the faces, by bilinear shares
+    const Eigen::Vector3d X = stack.mesh.nodes[stack.nodes[k]];
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    for (const Face& face : stack.faces) {
+      const Eigen::Vector3d lower = stack.mesh.nodes[face.nodes[0]].cwiseMin(stack.mesh.nodes[face.nodes[2]]);
+      const Eigen::Vector3d at = 2 * (X - lower);
+      if (at.head<2>().minCoeff() < -1e-9 || at.head<2>().maxCoeff() > 1 + 1e-9) continue;
+      x.setZero();
+      for (const Index i : face.nodes) {
+        const Eigen::Vector3d corner = 2 * (stack.mesh.nodes[i] - lower);
+        x += (1 - std::abs(at.x() - corner.x())) * (1 - std::abs(at.y() - corner.y())) * run.nodes().x(i);
+      }
+    }
+    CHECK((run.nodes().x(stack.nodes[k]) - x).norm() < 1e-10);
+  }
+  CHECK(run.template thing<1>().sweeps() < 40);
+}
+
+TEST_CASE("a node that is not at the surface cannot be tied to it") {
+  Stack stack;
+  stack.nodes.push_back(static_cast<Index>(stack.mesh.nodes.size() - 1));
+  CHECK_THROWS_WITH(stack.run([](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 0); }),
+                    Catch::Matchers::ContainsSubstring("node 90 at (1, 1, 2) is farther than"));
+  stack.nodes.back() = stack.faces[0].nodes[0];
+  CHECK_THROWS_WITH(stack.run([](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 0); }),
+                    Catch::Matchers::ContainsSubstring("belongs to"));
+}
