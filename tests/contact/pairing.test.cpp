@@ -178,18 +178,18 @@ TEST_CASE("cells that are removed lay bare what they covered") {
   const Mesh block = box({.size = {2, 1, 1}, .cells = {2, 1, 1}});
   Surface skin = solid_surface(block.hexahedra, 0);
   CHECK(skin.faces().size() == 10);
-  const unsigned char alive[] = {1, 0};
+  const std::vector<bool> alive{true, false};
   CHECK(!skin.remove(1, alive));
   CHECK(skin.remove(0, alive));
   CHECK(skin.faces().size() == 6);
-  CHECK_THROWS_WITH(solid_surface(block.hexahedra, 0).remove(0, std::span(alive, 1)),
+  CHECK_THROWS_WITH(solid_surface(block.hexahedra, 0).remove(0, {true}),
                     Catch::Matchers::ContainsSubstring("give one flag for each"));
 
   const Mesh column = box({.size = {1, 1, 2}, .cells = {1, 1, 2}});
   Range range(column);
   range.shoot({0.5, 0.4, 2.5}, {0, 0, -1});
   auto run = range.run(NodeToSurface{range.balls, solid_surface(column.hexahedra, 3)});
-  const unsigned char top_gone[] = {1, 0};
+  const std::vector<bool> top_gone{true, false};
   run.contact.remove(3, top_gone);
   for (int n = 0; n < 300; ++n) run.step(1e-2);
   CHECK(run.nodes.x(range.balls[0]).z() == Approx(1));

@@ -108,8 +108,8 @@ class Contact {
     return stable_step_with_contact(dt, kappa);
   }
 
-  /// Takes the cells of a part that are not alive (0) from the surfaces.
-  void remove(std::size_t part, std::span<const unsigned char> alive) requires requires(P p, const ContactNodes n) {
+  /// Takes the cells of a part that are not alive from the surfaces.
+  void remove(std::size_t part, const std::vector<bool>& alive) requires requires(P p, const ContactNodes n) {
     p.start(n).remove(part, alive, n);
   }
   { meeting_->remove(part, alive, all_); }

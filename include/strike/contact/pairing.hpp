@@ -81,7 +81,7 @@ class SurfaceMeeting {
 
   /// Whether a surface has lost cells. Nodes that come to its outside touch from now on, and those that have lost all
   /// their cells still do.
-  bool remove(std::size_t part, std::span<const unsigned char> alive, const ContactNodes& all) {
+  bool remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {
     std::vector<bool> changed;
     for (Surface& surface : surfaces_) changed.push_back(surface.remove(part, alive));
     for (std::size_t k = 0; k < ways_.size(); ++k) {

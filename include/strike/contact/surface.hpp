@@ -37,9 +37,9 @@ class Surface {
   /// The nodes that are on it or can come to be, in ascending order.
   std::vector<Index> nodes() const { return surface_nodes(of_cells_.empty() ? faces_ : of_cells_); }
 
-  /// Takes the cells of a part away that are not alive (0), and with them their faces; what they covered is outside
+  /// Takes the cells of a part away that are not alive, and with them their faces; what they covered is outside
   /// from now on. Whether anything changed. Linear in the cells of the part. Error: fewer flags than cells.
-  bool remove(std::size_t part, std::span<const unsigned char> alive) {
+  bool remove(std::size_t part, const std::vector<bool>& alive) {
     if (part_ != part) return false;
     const auto is_gone = [&](const Face& face) {
       if (face.cell >= alive.size())
