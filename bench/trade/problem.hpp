@@ -83,5 +83,7 @@ Problem spin();
 Problem panel();
 Problem twist();
 Problem pane();
+Problem bars();
+Problem bird();
 
 }  // namespace trade

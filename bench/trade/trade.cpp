@@ -56,7 +56,7 @@ Study study(Problem problem, std::size_t meshes) {
 int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     std::vector<std::string> names{"all"};
-    std::vector<Problem> problems{taylor(), beam(), waves(), spin(), panel(), twist(), pane()};
+    std::vector<Problem> problems{taylor(), beam(), waves(), spin(), panel(), twist(), pane(), bars(), bird()};
     for (const Problem& problem : problems) names.push_back(problem.name);
     const std::string chosen = options.choice("problem", names);
     const std::size_t meshes = options.count("meshes", 3);
