@@ -10,7 +10,7 @@ using testing::conforms;
 namespace {
 
 constexpr LinearEos linear{.density = 1000, .bulk_modulus = 2.2e9};
-constexpr CubicEos bird{.density = 938, .C1 = 2.06e9, .C2 = 6.19e9, .C3 = 10.3e9};
+constexpr CubicEos bird_eos{.density = 938, .C1 = 2.06e9, .C2 = 6.19e9, .C3 = 10.3e9};
 constexpr PolynomialEos water{
     .density = 1000, .C1 = 2.19e9, .C2 = 9.224e9, .C3 = 8.767e9, .C4 = .4934, .C5 = 1.3937, .pressure_cutoff = -1e7};
 constexpr GruneisenEos copper{.density = 8930, .sound_speed = 3940, .S1 = 1.489, .gamma = 1.99, .a = .47};
@@ -106,7 +106,7 @@ static_assert(sizeof(Solid<LinearEos, VonMises>) == 5 * sizeof(double));
 static_assert(sizeof(Fluid<LinearEos>) == 2 * sizeof(double));
 
 TEST_CASE("conformance: Fluid of LinearEos") { conforms(Fluid{linear}); }
-TEST_CASE("conformance: Fluid of CubicEos and Newtonian") { conforms(Fluid{bird, Newtonian{.viscosity = 100}}); }
+TEST_CASE("conformance: Fluid of CubicEos and Newtonian") { conforms(Fluid{bird_eos, Newtonian{.viscosity = 100}}); }
 TEST_CASE("conformance: Fluid of PolynomialEos") { conforms(Fluid{water}); }
 TEST_CASE("conformance: Fluid of GruneisenEos") { conforms(Fluid{copper}); }
 TEST_CASE("conformance: Fluid of IdealGas and Newtonian") { conforms(Fluid{air, Newtonian{.viscosity = 1}}); }

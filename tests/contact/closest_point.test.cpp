@@ -10,7 +10,7 @@ using namespace strike::detail;
 
 namespace {
 
-Corners unit_square(double warp = 0) {
+Corners warped_square(double warp = 0) {
   return {Eigen::Vector3d(0, 0, warp), {1, 0, -warp}, {1, 1, warp}, {0, 1, -warp}};
 }
 Eigen::Vector3d at(const Corners& X, const ClosestPoint& point) {
@@ -23,7 +23,7 @@ Eigen::Vector3d at(const Corners& X, const ClosestPoint& point) {
 }  // namespace
 
 TEST_CASE("the closest point of a plane quadrilateral is the foot, or on the edge or corner that is nearest") {
-  const Corners X = unit_square();
+  const Corners X = warped_square();
   const auto inside = closest_on_quadrilateral(X, {0.3, 0.6, 2});
   CHECK(inside.where == ClosestPoint::inside);
   CHECK((at(X, inside) - Eigen::Vector3d(0.3, 0.6, 0)).norm() < 1e-15);
@@ -39,7 +39,7 @@ TEST_CASE("the closest point of any quadrilateral and triangle is as close as th
   std::mt19937 random(1);
   const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
   for (int trial = 0; trial < 500; ++trial) {
-    Corners X = unit_square(0.3 * number());
+    Corners X = warped_square(0.3 * number());
     for (auto& corner : X) corner += 0.3 * Eigen::Vector3d(number(), number(), number());
     const Eigen::Vector3d x(1.5 * number() + 0.5, 1.5 * number() + 0.5, number());
     double best[2] = {1e9, 1e9};
