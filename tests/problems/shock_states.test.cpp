@@ -95,6 +95,12 @@ TEST_CASE("shock states of water and copper whose shock velocity is linear") {
   }
 }
 
+TEST_CASE("D10: the shock state of aluminium that meets its like at 10 km/s") {
+  const GruneisenEos aluminium{.density = 2785, .sound_speed = 5328, .S1 = 1.338, .gamma = 0};
+  const double u = 5000, U = aluminium.sound_speed + aluminium.S1 * u;  // half the speed against a plane of symmetry
+  check_shock(aluminium, {u, aluminium.density * U * u, U});
+}
+
 TEST_CASE("shock states of water in which the energy stands") {
   const PolynomialEos water{.density = 1000, .C1 = 2.19e9, .C2 = 9.224e9, .C3 = 8.767e9, .C4 = 0.4934, .C5 = 1.3937};
   check_shock(water, {100, 173.434e6, 1734.34});
