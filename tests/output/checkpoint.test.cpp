@@ -49,15 +49,14 @@ auto bird_strike() {
                        Coulomb{0.3}}};
 }
 
+/// A bar on a wall, elements in single precision, under the step of the mesh.
 auto bar(Index layers = 6) {
   const Mesh mesh = box({.size = {2, 2, 6}, .cells = {2, 2, layers}});
   const auto top = nodes_where(mesh.nodes, on_plane(Axis::z, 6));
-  return Scene{mesh.nodes,
-               Part{Hex8{}, Solid{copper_eos, copper_strength}, mesh.hexahedra},
-               InitialVelocity{{0, 0, -227}},
-               Symmetry{Axis::x, nodes_where(mesh.nodes, on_plane(Axis::x, 0))},
-               RigidWall{{0, 0, 0}, {0, 0, 1}, 0.1},
-               NodalForce{{0, 0, -0.1}, top, Curve{{{0, 0}, {1, 1}}}}};
+  return Explicit{Scene{mesh.nodes, Part{Hex8{}, Solid{copper_eos, copper_strength}, mesh.hexahedra},
+                        InitialVelocity{{0, 0, -227}}, Symmetry{Axis::x, nodes_where(mesh.nodes, on_plane(Axis::x, 0))},
+                        RigidWall{{0, 0, 0}, {0, 0, 1}, 0.1}, NodalForce{{0, 0, -0.1}, top, Curve{{{0, 0}, {1, 1}}}}},
+                  ExplicitOptions{}, in<Pack<float>, double>, GlobalStep{}};
 }
 
 constexpr std::size_t none = std::string::npos;
@@ -115,11 +114,7 @@ TEST_CASE("checkpoint: a strike with plates, eroding tetrahedra, springs and fri
 }
 
 TEST_CASE("checkpoint: a bar in mixed precision under the step of the mesh goes on to the bit") {
-  const auto run = goes_on_to_the_bit(
-      [] {
-        return Explicit{bar(), ExplicitOptions{}, in<Pack<float>, double>, GlobalStep{}};
-      },
-      0.02);
+  const auto run = goes_on_to_the_bit([] { return bar(); }, 0.02);
   CHECK(run.step_bound().asked() > 1);
 }
 
@@ -175,26 +170,25 @@ TEST_CASE("checkpoint: what is not whole, foreign or of another scene is refused
   CHECK_THAT(refusal(), ContainsSubstring("is of another kind of machine"));
   CHECK_THROWS_WITH(read_checkpoint(folder / "none", numbers), ContainsSubstring("cannot be opened"));
 
-  Explicit run{bar()};
+  auto run = bar();
   write_checkpoint(path, run);
-  Explicit another{bar(5)};
+  auto another = bar(5);
   CHECK_THROWS_WITH(read_checkpoint(path, another), ContainsSubstring("is of another scene"));
 }
 
 TEST_CASE("checkpoint: a run that is killed at any moment, again and again, leaves the files of one that was not") {
   const ScratchFolder folder("checkpoint");
   const auto go = [&](const std::string& name) {
-    Explicit run{bar()};
+    auto run = bar();
     const Mesh mesh = box({.size = {2, 2, 6}, .cells = {2, 2, 6}});
     History history{folder / (name + ".csv"), {{"time", "ms"}, {"kinetic", "J"}, {"rows before", ""}}};
     VtuSeries film{folder / name};
     double rows = 0;
-    run.until(
-        0.02,
-        Checkpoint{
-            folder / (name + ".checkpoint"), {.interval = 2e-4, .restart = Restart::if_there}, history, film, rows},
-        Every{1.1e-4, [&] { history.row(run.time(), run.energy().kinetic, rows++); }},
-        Every{0.003, [&] { film.write(run.time(), mesh, run.positions()); }});
+    Checkpoint checkpoint{
+        folder / (name + ".checkpoint"), {.interval = 2e-4, .restart = Restart::if_there}, history, film, rows};
+    run.until(0.02, checkpoint,  //
+              Every{1.1e-4, [&] { history.row(run.time(), run.energy().kinetic, rows++); }},
+              Every{0.003, [&] { film.write(run.time(), mesh, run.positions()); }});
   };
   const auto survives = [&](int microseconds) {
     const pid_t child = ::fork();

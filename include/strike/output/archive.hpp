@@ -26,19 +26,34 @@ namespace strike {
 ///
 /// An archive takes numbers and what is copied as bytes, Eigen's vectors and matrices of fixed size, std::string,
 /// std::vector, std::span and std::tuple of such things, and whatever has such a function.
-template <class Derived>
+/// An archive that writes, one that reads and one that compares are the same type to them, so that a compiler sees each
+/// such function once.
 class Archive {
  public:
-  static constexpr bool reads = false;
+  /// Whether what it is given takes what was kept.
+  bool reads() const { return reads_; }
 
   template <class... Values>
   void operator()(Values&&... values) {
     (item(values), ...);
   }
   template <class... Values>
-  void same(const Values&...) {}
+  void same(const Values&... values) {
+    (identity(values), ...);
+  }
 
  protected:
+  explicit Archive(bool reads) : reads_(reads) {}
+  ~Archive() = default;
+
+  /// Writes or reads so many bytes.
+  virtual void bytes(void* at, std::size_t count) = 0;
+  /// Takes note of bytes that have to be the same.
+  virtual void note(const void*, std::size_t) {}
+  /// Before a list takes so many elements that were kept.
+  virtual void allow(std::uint64_t) {}
+
+ private:
   template <class T>
   static constexpr bool is_list = requires(T list) {
     list.data();
@@ -57,8 +72,8 @@ class Archive {
 
   template <class T>
   void item(T& value) {
-    if constexpr (requires { value.serialize(derived()); })
-      value.serialize(derived());
+    if constexpr (requires { value.serialize(*this); })
+      value.serialize(*this);
     else if constexpr (is_list<T>)
       list(value);
     else if constexpr (requires { std::span(value); })
@@ -66,30 +81,42 @@ class Archive {
     else if constexpr (requires { std::tuple_size<T>::value; })
       std::apply([&](auto&... one) { (item(one), ...); }, value);
     else if constexpr (is_plain<T>)
-      derived().bytes(&value, sizeof value);
+      bytes(&value, sizeof value);
     else
       static_assert(is_plain<T>,
                     "strike: an Archive does not know how to keep this: give its type template <class Archive> void "
                     "serialize(Archive& archive) { archive(...); } with all that it remembers.");
   }
 
- private:
-  Derived& derived() { return static_cast<Derived&>(*this); }
-
   template <class List>
   void list(List& list) {
     std::uint64_t size = list.size();
     item(size);
-    if constexpr (Derived::reads) derived().resize(list, size);
+    if (reads_) {
+      allow(size);
+      list.resize(static_cast<std::size_t>(size));
+    }
     items(std::span(list.data(), list.size()));
   }
   template <class T, std::size_t n>
   void items(std::span<T, n> all) {
-    if constexpr (is_plain<T> && !requires(T & one) { one.serialize(derived()); })
-      derived().bytes(all.data(), all.size_bytes());
+    if constexpr (is_plain<T> && !requires(T & one, Archive & archive) { one.serialize(archive); })
+      bytes(all.data(), all.size_bytes());
     else
       for (T& one : all) item(one);
   }
+
+  template <class T>
+  void identity(const T& value) {
+    if constexpr (requires { value.data(); })
+      note(value.data(), value.size() * sizeof(*value.data()));
+    else if constexpr (is_plain<T>)
+      note(&value, sizeof value);
+    else
+      static_assert(is_plain<T>, "strike: Archive::same takes numbers and lists of numbers.");
+  }
+
+  bool reads_;
 };
 
 namespace detail {
@@ -113,26 +140,14 @@ class Hash {
 };
 
 /// What has to be the same in a scene that goes on from a checkpoint, as one number.
-class Fingerprint : public Archive<Fingerprint> {
+class Fingerprint final : public Archive {
  public:
-  void bytes(const void*, std::size_t) {}
-
-  template <class... Values>
-  void same(const Values&... values) {
-    (hash(values), ...);
-  }
+  Fingerprint() : Archive(false) {}
   std::uint64_t value() const { return hash_.value(); }
 
  private:
-  template <class T>
-  void hash(const T& value) {
-    if constexpr (requires { value.data(); })
-      hash_.add(value.data(), value.size() * sizeof(*value.data()));
-    else if constexpr (is_plain<T>)
-      hash_.add(&value, sizeof value);
-    else
-      static_assert(is_plain<T>, "strike: Archive::same takes numbers and lists of numbers.");
-  }
+  void bytes(void*, std::size_t) override {}
+  void note(const void* at, std::size_t count) override { hash_.add(at, count); }
 
   Hash hash_;
 };

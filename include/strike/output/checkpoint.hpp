@@ -35,14 +35,22 @@ struct CheckpointTail {
 };
 inline constexpr std::size_t checkpoint_piece = 1 << 20;  // bytes
 
-class CheckpointWriter : public Archive<CheckpointWriter> {
+class CheckpointWriter final : public Archive {
  public:
-  CheckpointWriter(OutputFile& file, std::uint64_t scene) : file_(file) {
+  CheckpointWriter(OutputFile& file, std::uint64_t scene) : Archive(false), file_(file) {
     CheckpointHead head;
     head.scene = scene;
     file_.write({reinterpret_cast<const char*>(&head), sizeof head});
   }
-  void bytes(const void* from, std::size_t count) {
+  void finish() {
+    flush();
+    tail_.checksum = hash_.value();
+    file_.write({reinterpret_cast<const char*>(&tail_), sizeof tail_});
+    file_.sync();
+  }
+
+ private:
+  void bytes(void* from, std::size_t count) override {
     const char* at = static_cast<const char*>(from);
     while (count > 0) {
       const std::size_t now = std::min(count, checkpoint_piece - piece_.size());
@@ -51,13 +59,6 @@ class CheckpointWriter : public Archive<CheckpointWriter> {
       if (piece_.size() == checkpoint_piece) flush();
     }
   }
-  void finish() {
-    flush();
-    tail_.checksum = hash_.value();
-    file_.write({reinterpret_cast<const char*>(&tail_), sizeof tail_});
-  }
-
- private:
   void flush() {
     hash_.add(piece_.data(), piece_.size());
     tail_.size += piece_.size();
@@ -72,13 +73,11 @@ class CheckpointWriter : public Archive<CheckpointWriter> {
 };
 
 /// Reads a file that is sound: it is looked at from end to end first.
-class CheckpointReader : public Archive<CheckpointReader> {
+class CheckpointReader final : public Archive {
  public:
-  static constexpr bool reads = true;
-
   /// Errors: no such file; not a checkpoint, of another format or machine, damaged, or of another scene.
   CheckpointReader(const std::string& path, std::uint64_t scene)
-      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+      : Archive(true), path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
     if (!file_) refuse("cannot be opened; give the path of one that a run has written");
     CheckpointHead head;
     const CheckpointHead ours;
@@ -96,20 +95,19 @@ class CheckpointReader : public Archive<CheckpointReader> {
     std::fseek(file_.get(), sizeof head, SEEK_SET);
   }
 
-  void bytes(void* to, std::size_t count) {
-    if (count > left_ || !get(to, count)) refuse("holds less than the scene asks for; begin anew");
-    left_ -= count;
-  }
-  template <class List>
-  void resize(List& list, std::uint64_t size) {
-    if (size > left_) refuse("holds less than the scene asks for; begin anew");
-    list.resize(static_cast<std::size_t>(size));
-  }
   void finish() const {
     if (left_ > 0) refuse("holds more than the scene asks for; begin anew");
   }
 
  private:
+  void allow(std::uint64_t count) override {
+    if (count > left_) refuse("holds less than the scene asks for; begin anew");
+  }
+  void bytes(void* to, std::size_t count) override {
+    allow(count);
+    get(to, count);
+    left_ -= count;
+  }
   bool get(void* to, std::size_t count) { return std::fread(to, 1, count, file_.get()) == count; }
 
   void check_sum() {

@@ -64,8 +64,7 @@ class History {
     std::uint64_t bytes = file_.size();
     archive.same(columns_);
     archive(rows_, bytes);
-    if constexpr (Archive::reads)
-      if (bytes > 0) file_.go_on_behind(bytes);
+    if (archive.reads() && bytes > 0) file_.go_on_behind(bytes);
   }
 
  private:
