@@ -2,6 +2,7 @@
 #include <strike/contact.hpp>
 #include <strike/dynamics.hpp>
 #include <strike/element.hpp>
+#include <strike/input.hpp>
 #include <strike/load.hpp>
 #include <strike/material.hpp>
 #include <strike/mesh.hpp>

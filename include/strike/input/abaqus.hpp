@@ -28,8 +28,8 @@ class AbaqusReader {
     if (model_ != &all_) source_.refuse({"a part has no end: write *END PART after it."});
     Deck deck = finished(std::move(all_.raw), source_).deck;
     deck.title = std::move(title_);
-    for (auto&& notice : skipped_.sentences(" times", " was skipped: ")) deck.notices.push_back(std::move(notice));
-    for (auto&& notice : ignored_.sentences(" elements", " were ignored: ")) deck.notices.push_back(std::move(notice));
+    for (auto&& notice : skipped_.sentences(" was skipped: ")) deck.notices.push_back(std::move(notice));
+    for (auto&& notice : ignored_.sentences(" were ignored: ")) deck.notices.push_back(std::move(notice));
     return deck;
   }
 
@@ -120,7 +120,7 @@ class AbaqusReader {
   void nodes(const Parameters& parameters) {
     if (const auto system = parameters.find("SYSTEM");
         system != parameters.end() && !same_word(system->second, "R") && !system->second.empty())
-      source_.refuse({"the nodes have the system ", quoted(system->second), ": give Cartesian coordinates."});
+      source_.refuse({"the nodes have the system ", shown(system->second), ": give Cartesian coordinates."});
     RawMesh::Set* set = nullptr;
     if (const auto name = parameters.find("NSET"); name != parameters.end())
       set = &set_of(model_->raw.node_sets, model_->node_sets, name->second);
@@ -145,7 +145,7 @@ class AbaqusReader {
     RawMesh::Element element{0, {}, 0, 0, Shape::hexahedron};
     if (begins_with_one_of(type, {"C3D10", "C3D15", "C3D2", "C3D5", "C3D6", "S8", "S9", "STRI65", "SC6", "SC8"}))
       source_.refuse(
-          {"elements of type ", quoted(type), " are not read: mesh in first order with C3D8, C3D4, S4 or S3."});
+          {"elements of type ", shown(type), " are not read: mesh in first order with C3D8, C3D4, S4 or S3."});
     if (begins_with_one_of(type, {"C3D8"}))
       element.shape = Shape::hexahedron;
     else if (begins_with_one_of(type, {"C3D4"}))
@@ -223,7 +223,7 @@ class AbaqusReader {
         } else if (const auto other = places.find(upper(field)); other != places.end() && other->second < self) {
           set.others.push_back(other->second);
         } else {
-          source_.refuse({"set '", name, "' holds ", quoted(field),
+          source_.refuse({"set '", name, "' holds ", shown(field),
                           ", which is neither a number nor a set before it: define that set first."});
         }
       }
@@ -232,14 +232,14 @@ class AbaqusReader {
   FileNumber scope_of(const std::string& instance) const {
     const auto found = scopes_.find(upper(instance));
     if (found == scopes_.end())
-      source_.refuse({"instance ", quoted(instance), " is not in the file: define it before its sets."});
+      source_.refuse({"instance ", shown(instance), " is not in the file: define it before its sets."});
     return found->second;
   }
 
   void begin_part(const std::string& name) {
     if (model_ != &all_) source_.refuse({"a part begins within a part: write *END PART before it."});
     const auto [part, is_new] = parts_.try_emplace(upper(name));
-    if (!is_new) source_.refuse({"part ", quoted(name), " is there twice: give each a name of its own."});
+    if (!is_new) source_.refuse({"part ", shown(name), " is there twice: give each a name of its own."});
     model_ = &part->second;
   }
 
@@ -247,10 +247,10 @@ class AbaqusReader {
   void instance(const std::string& name, const std::string& part_name) {
     const auto part = parts_.find(upper(part_name));
     if (part == parts_.end())
-      source_.refuse({"part ", quoted(part_name), " is not in the file: define it before its instances."});
+      source_.refuse({"part ", shown(part_name), " is not in the file: define it before its instances."});
     const FileNumber scope = RawMesh::scope * static_cast<FileNumber>(scopes_.size() + 1);
     if (!scopes_.try_emplace(upper(name), scope).second)
-      source_.refuse({"instance ", quoted(name), " is there twice: give each a name of its own."});
+      source_.refuse({"instance ", shown(name), " is there twice: give each a name of its own."});
     if (scopes_.size() > 1000000) source_.refuse({"there are more than a million instances: merge some."});
 
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();

@@ -25,7 +25,7 @@ class GmshReader {
     while (source_.next(line)) {
       line = trimmed(line);
       if (line.empty()) continue;
-      if (line[0] != '$') source_.refuse({quoted(line), " stands in no section: begin one with $Name before it."});
+      if (line[0] != '$') source_.refuse({shown(line), " stands in no section: begin one with $Name before it."});
       const std::string_view name = line.substr(1);
       rest_ = {};
       if (version_ == 0 && name != "MeshFormat" && name != "Comments")
@@ -47,8 +47,8 @@ class GmshReader {
     if (version_ == 0) source_.refuse({"the file is empty: save it from gmsh as .msh of version 2.2 or 4.1."});
     Deck deck = finished(std::move(raw_), source_).deck;
     std::erase_if(deck.parts, [](const NamedSet& part) { return part.members.empty(); });
-    for (auto&& notice : skipped_.sentences(" times", " was skipped: ")) deck.notices.push_back(std::move(notice));
-    for (auto&& notice : ignored_.sentences(" elements", " were ignored: ")) deck.notices.push_back(std::move(notice));
+    for (auto&& notice : skipped_.sentences(" was skipped: ")) deck.notices.push_back(std::move(notice));
+    for (auto&& notice : ignored_.sentences(" were ignored: ")) deck.notices.push_back(std::move(notice));
     return deck;
   }
 
@@ -89,7 +89,7 @@ class GmshReader {
     const std::string_view version = word("the version");
     const FileNumber binary = integer("the file type");
     if (version != "2.2" && version != "4.1")
-      source_.refuse({"version ", quoted(version), " is not read: save as 2.2 or 4.1 (gmsh -format msh41)."});
+      source_.refuse({"version ", shown(version), " is not read: save as 2.2 or 4.1 (gmsh -format msh41)."});
     if (binary != 0) source_.refuse({"the file is binary: save it as ASCII (Mesh.Binary = 0)."});
     version_ = version == "4.1" ? 4 : 2;
   }

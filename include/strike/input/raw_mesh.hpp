@@ -281,10 +281,10 @@ inline Finished finished(RawMesh raw, const Source& source) {
   deck.cell_sets = resolved(std::move(raw.element_sets), file_elements, cell_place, "element", source);
   if (marks > 0)
     deck.notices.push_back(
-        joined({std::to_string(marks), " surface elements lie on solids: they name nodes, and are no plates."}));
+        joined({"Surface elements on solids (", std::to_string(marks), ") name nodes, and are no plates."}));
   if (orphans > 0)
-    deck.notices.push_back(joined({std::to_string(orphans), " nodes belong to no element and were dropped, the first ",
-                                   "is number ", std::to_string(orphan), "."}));
+    deck.notices.push_back(joined({"Nodes without an element (", std::to_string(orphans), ", the first has the number ",
+                                   std::to_string(orphan), ") were dropped."}));
   return result;
 }
 

@@ -108,7 +108,7 @@ inline std::optional<FileNumber> to_integer(std::string_view field) {
 }
 
 /// The start of a text, as a message quotes it.
-[[gnu::cold]] inline std::string quoted(std::string_view text) {
+[[gnu::cold]] inline std::string shown(std::string_view text) {
   std::string result = "'";
   for (const char c : trimmed(text).substr(0, 40)) result += c >= ' ' && c <= '~' ? c : '?';
   return result + (trimmed(text).size() > 40 ? "...'" : "'");
@@ -141,12 +141,12 @@ class Source {
 
   double number(std::string_view field, std::string_view meaning) const {
     const auto value = to_number(field);
-    if (!value) refuse({meaning, " ", quoted(field), " is no number: write it as 1.5 or 1.5e-3."});
+    if (!value) refuse({meaning, " ", shown(field), " is no number: write it as 1.5 or 1.5e-3."});
     return *value;
   }
   FileNumber integer(std::string_view field, std::string_view meaning) const {
     const auto value = to_integer(field);
-    if (!value) refuse({meaning, " ", quoted(field), " is no whole number: correct it."});
+    if (!value) refuse({meaning, " ", shown(field), " is no whole number: correct it."});
     return *value;
   }
   const std::string& name() const { return name_; }
@@ -169,17 +169,18 @@ class Skipped {
     else if (known->count += count; known->lines.size() < 5 && known->lines.back() != line)
       known->lines.push_back(line);
   }
-  /// "*DAMPING_GLOBAL was skipped: 2 times, on lines 12, 40."
-  std::vector<std::string> sentences(std::string_view unit, std::string_view why) const {
+  /// "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
+  bool empty() const { return kinds_.empty(); }
+  std::vector<std::string> sentences(std::string_view why) const {
     std::vector<std::string> all;
     for (const auto& [name, count, lines] : kinds_) {
       std::string places = lines.size() == 1 ? "line " : "lines ";
       for (const std::uint32_t line : lines) places += std::to_string(line) + ", ";
       places.resize(places.size() - 2);
       if (lines.size() == 5 && count > 5) places += ", ...";
-      all.push_back(joined({name, why, std::to_string(count), unit, ", ", places, "."}));
+      all.push_back(joined({name, " (", std::to_string(count), ")", why, places, "."}));
     }
-    if (further_ > 0) all.push_back(joined({std::to_string(further_), " more of other names", why, "not listed."}));
+    if (further_ > 0) all.push_back(joined({"Others (", std::to_string(further_), ")", why, "not listed."}));
     return all;
   }
 
