@@ -221,7 +221,7 @@ class DynaReader {
       raw_.nodes.push_back({number, x, source_.line()});
       if (card.is_blank()) continue;
       const Fixed fixed{held_by(card.integer("TC", 0, 8)), held_by(card.integer("RC", 0, 8))};
-      if (fixed != Fixed{}) fixed_nodes_[fixed].push_back({Chosen::node, number, source_.line()});
+      if (fixed != Fixed{}) fixed_nodes_[fixed].push_back({Kind::node, number, source_.line()});
     }
   }
   FileNumber defined(FileNumber number, const char* thing) const {
@@ -352,7 +352,7 @@ class DynaReader {
       SectionCard section{
           .number = card.tag("SECID"), .element_form = card.integer("ELFORM", 2), .corner_thickness = {}};
       section.shear_factor = card.number("SHRF", 1);
-      section.points = static_cast<FileNumber>(card.number("NIP", 2));
+      section.points = card.integer("NIP", 2);
       card.pass(1);
       ignore(card.number("QR/IRID"), "QR/IRID");
       const bool angles = card.integer("ICOMP") == 1;
@@ -525,31 +525,32 @@ class DynaReader {
   }
 
   /// Nodes that a card names, found when all are read.
+  enum class Kind { all, node, set, part, part_set };
   struct Chosen {
-    enum Kind { all, node, set, part, part_set } kind;
+    Kind kind;
     FileNumber number;
     std::uint32_t line;
   };
   using Choice = std::vector<Chosen>;
 
-  void supports(Chosen::Kind kind) {
+  void supports(Kind kind) {
     std::string_view line;
     while (next_full_line(line)) {
       if (titled_ && !next_line(line)) return;
       DynaCard card(line, source_);
-      const Chosen chosen{kind, defined(card.tag(kind == Chosen::node ? "NID" : "NSID"), "support"), source_.line()};
+      const Chosen chosen{kind, defined(card.tag(kind == Kind::node ? "NID" : "NSID"), "support"), source_.line()};
       ignore(card.number("CID"), "CID");
       Fixed fixed;
       for (bool& held : fixed.first) held = card.integer("DOFX to DOFZ") != 0;
       for (bool& held : fixed.second) held = card.integer("DOFRX to DOFRZ") != 0;
-      if (kind == Chosen::node)
+      if (kind == Kind::node)
         fixed_nodes_[fixed].push_back(chosen);
       else
         supports_.push_back({fixed, {chosen}});
     }
   }
-  void node_support() { supports(Chosen::node); }
-  void set_support() { supports(Chosen::set); }
+  void node_support() { supports(Kind::node); }
+  void set_support() { supports(Kind::set); }
 
   void velocity() {
     DynaCard card = this->card(), values = this->card();
@@ -557,17 +558,17 @@ class DynaReader {
     for (const char* what : {"NSIDEX", "BOXID", "IRIGID", "ICID"}) ignore(card.number(what), what);
     VelocityCard velocity{{}, values.vector("VX to VZ")};
     ignore(values.vector("VXR to VZR").norm(), "VXR to VZR");
-    velocities_.push_back({velocity, {{set == 0 ? Chosen::all : Chosen::set, set, source_.line()}}});
+    velocities_.push_back({velocity, {{set == 0 ? Kind::all : Kind::set, set, source_.line()}}});
   }
   void node_velocity() {
     std::string_view line;
     while (next_full_line(line)) {
       DynaCard card(line, source_);
-      const Chosen chosen{Chosen::node, defined(card.tag("NID"), "velocity"), source_.line()};
+      const Chosen chosen{Kind::node, defined(card.tag("NID"), "velocity"), source_.line()};
       const VelocityCard velocity{{}, card.vector("VX to VZ")};
       ignore(card.vector("VXR to VZR").norm(), "VXR to VZR");
       if (velocities_.empty() || velocities_.back().first.velocity != velocity.velocity ||
-          velocities_.back().second.front().kind != Chosen::node)
+          velocities_.back().second.front().kind != Kind::node)
         velocities_.push_back({velocity, {}});
       velocities_.back().second.push_back(chosen);
     }
@@ -592,8 +593,8 @@ class DynaReader {
       ignore(turn.number("PHASE"), "PHASE");
       if (number != 0 && (kind < 1 || kind > 3))
         source_.refuse({"STYP ", std::to_string(kind), " is none: give 1 (part set), 2 (part) or 3 (node set)."});
-      constexpr std::array<Chosen::Kind, 4> kinds{Chosen::all, Chosen::part_set, Chosen::part, Chosen::set};
-      velocities_.push_back({velocity, {{number == 0 ? Chosen::all : kinds[std::size_t(kind)], number, at}}});
+      constexpr std::array<Kind, 4> kinds{Kind::all, Kind::part_set, Kind::part, Kind::set};
+      velocities_.push_back({velocity, {{number == 0 ? Kind::all : kinds[std::size_t(kind)], number, at}}});
     }
   }
 
@@ -612,7 +613,7 @@ class DynaReader {
       source_.refuse({"the normal of the wall has no length: give it a head that is not its tail."});
     wall.normal.normalize();
     wall.friction = plane.number("FRIC");
-    walls_.push_back({wall, {{set == 0 ? Chosen::all : Chosen::set, set, at}}});
+    walls_.push_back({wall, {{set == 0 ? Kind::all : Kind::set, set, at}}});
   }
 
   struct Side {
@@ -677,7 +678,7 @@ class DynaReader {
                      {kind, " ", std::to_string(chosen.number), " is not in the file: define it or correct the card."});
     };
     const auto parts_of = [&](const Chosen& chosen) -> std::vector<Index> {
-      if (chosen.kind == Chosen::part) {
+      if (chosen.kind == Kind::part) {
         const auto part = parts_.find(chosen.number);
         if (part == parts_.end()) missing(chosen, "part");
         return {part->second};
@@ -689,11 +690,11 @@ class DynaReader {
     const auto nodes_of = [&](const Choice& choice) {
       std::vector<Index> nodes;
       for (const Chosen& chosen : choice) {
-        if (chosen.kind == Chosen::all) {
+        if (chosen.kind == Kind::all) {
           nodes = all_nodes(deck_.mesh.nodes);
-        } else if (chosen.kind == Chosen::node) {
+        } else if (chosen.kind == Kind::node) {
           if (const Index node = done.node(chosen.number, source_, chosen.line); node != nothing) nodes.push_back(node);
-        } else if (chosen.kind == Chosen::set) {
+        } else if (chosen.kind == Kind::set) {
           const auto set = node_sets.find(chosen.number);
           if (set == node_sets.end()) missing(chosen, "the set of nodes");
           const auto& members = deck_.node_sets[set->second].members;
@@ -727,10 +728,10 @@ class DynaReader {
         const auto& [number, kind, line] = sides[i];
         if (number == 0 || kind == 5) continue;
         if (kind == 2 || kind == 3) {
-          for (const Index part : parts_of({kind == 2 ? Chosen::part_set : Chosen::part, number, line}))
+          for (const Index part : parts_of({kind == 2 ? Kind::part_set : Kind::part, number, line}))
             side.parts.push_back(deck_.parts[part].number);
         } else if (kind == 4) {
-          side.nodes = nodes_of({{Chosen::set, number, line}});
+          side.nodes = nodes_of({{Kind::set, number, line}});
         } else {
           values_.add(
               joined({i == 0 ? "SSTYP " : "MSTYP ", std::to_string(kind), " of a contact (all parts are taken)"}),

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <string_view>
@@ -69,11 +70,16 @@ class GmshReader {
   }
   FileNumber integer(std::string_view meaning) { return source_.integer(word(meaning), meaning); }
   double number(std::string_view meaning) { return source_.number(word(meaning), meaning); }
+  FileNumber bounded(std::string_view meaning) {
+    const FileNumber n = integer(meaning);
+    if (n <= -RawMesh::scope || n >= RawMesh::scope)
+      source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
+    return n;
+  }
   /// A number from 1 that fits a scope.
   FileNumber tag(std::string_view meaning) {
-    const FileNumber n = integer(meaning);
-    if (n < 1 || n >= RawMesh::scope)
-      source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
+    const FileNumber n = bounded(meaning);
+    if (n < 1) source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
     return n;
   }
 
@@ -111,7 +117,8 @@ class GmshReader {
         const FileNumber entity = integer("the number of an entity");
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) number("a bound of an entity");
         for (FileNumber groups = integer("the count of groups"); groups > 0; --groups)
-          physicals_[{dimension, entity}].push_back(integer("the number of a group"));
+          physicals_[{dimension, entity}].push_back(
+              std::abs(bounded("the number of a group")));  // negative: turned over
         if (dimension > 0)
           for (FileNumber bounds = integer("the count of bounds"); bounds > 0; --bounds) integer("a bounding entity");
       }
@@ -234,7 +241,7 @@ class GmshReader {
     if (physical != 0)
       join_physical(physical);
     else if (physicals != physicals_.end())
-      for (const FileNumber number : physicals->second) join_physical(number < 0 ? -number : number);
+      for (const FileNumber number : physicals->second) join_physical(number);
     else
       join(entity, joined({std::array{"point ", "line ", "surface ", "volume "}[static_cast<std::size_t>(dimension)],
                            std::to_string(entity)}));
