@@ -120,7 +120,7 @@ $       ro         g         e        pr
   CHECK(deck.material<HydroMaterial>("clay").strength.hardening_modulus == 0.002);
   CHECK(deck.eos<PolynomialEos>("clay").density == 2e-6);
   CHECK(deck.notices == std::vector<std::string>{
-                            "SPALL of *MAT_JOHNSON_COOK (1) was ignored: line 38.",
+                            "SPALL of *MAT_JOHNSON_COOK (1) had no effect: line 38.",
                         });
 
   CHECK_THROWS_WITH(deck.material<Elastic>("steel"),
@@ -262,17 +262,20 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 1
 2
 *CONTACT_TIED_NODES_TO_SURFACE
+*MAT_ELASTIC
+3,1,1,0,0,.1
 )");
   CHECK(deck.notices ==
         std::vector<std::string>{
             "*CONTACT_TIED_NODES_TO_SURFACE (1) was skipped: line 28.",
-            "BETA (hardening is isotropic here) of *MAT_PLASTIC_KINEMATIC (1) was ignored: line 12.",
-            "LCSS (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) was ignored: line 15.",
-            "EPS and ES (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (2) was ignored: lines 16, 17.",
-            "CID of *BOUNDARY_SPC_NODE (1) was ignored: line 19.",
-            "BIRTH of *RIGIDWALL_PLANAR (1) was ignored: line 21.",
-            "What follows the cards of *CONTROL_TERMINATION (1) was ignored: line 27.",
-            "SSTYP 1 of a contact (all parts are taken) (1) was ignored: line 24.",
+            "BETA (hardening is isotropic here) of *MAT_PLASTIC_KINEMATIC (1) had no effect: line 12.",
+            "LCSS (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 15.",
+            "EPS and ES (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (2) had no effect: lines 16, 17.",
+            "CID of *BOUNDARY_SPC_NODE (1) had no effect: line 19.",
+            "BIRTH of *RIGIDWALL_PLANAR (1) had no effect: line 21.",
+            "What follows the cards of *CONTROL_TERMINATION (1) had no effect: line 27.",
+            "Further fields of *MAT_ELASTIC (1) had no effect: line 30.",
+            "SSTYP 1 of a contact (all parts are taken) (1) had no effect: line 24.",
         });
 }
 

@@ -57,7 +57,11 @@ TEST_CASE("read mesh: what a deck does not have is refused with what it has") {
   deck.parts = {{3, "bird", {}}, {4, "", {}}, {4, "plate", {}}};
   CHECK_THROWS_WITH(deck.part("brid"), "No part is called 'brid': there are 'bird', 4, 'plate'.");
   CHECK_THROWS_WITH(deck.part(7), "No part has the number 7: there are 'bird', 4, 'plate'.");
-  CHECK_THROWS_WITH(deck.part(4), "Number 4 is that of '' and of 'plate': ask by name.");
+  CHECK_THROWS_WITH(
+      deck.part(4),
+      "What is asked for is both 4 '' and 4 'plate': ask by what tells them apart, the name or the number.");
+  deck.parts.push_back({5, "bird", {}});
+  CHECK_THROWS_WITH(deck.part("bird"), ContainsSubstring("is both 3 'bird' and 5 'bird'"));
   CHECK_THROWS_WITH(deck.nodes("foot"), "No set of nodes is called 'foot': there are none.");
   CHECK_THROWS_WITH(deck.nodes(1), "No set of nodes has the number 1: there are none.");
 }

@@ -41,6 +41,7 @@ class AbaqusReader {
   struct Model {
     RawMesh raw = {};
     std::map<std::string, std::size_t> node_sets = {}, element_sets = {};
+    std::uint32_t group = nothing;  ///< of the elements that are in no instance
   };
 
   /// The next data line, without comments. False before a keyword and at the end.
@@ -157,7 +158,11 @@ class AbaqusReader {
     else
       return ignore(type);
     RawMesh& raw = model_->raw;
-    if (raw.groups.empty()) raw.groups.emplace_back();
+    if (model_->group == nothing) {
+      model_->group = static_cast<std::uint32_t>(raw.groups.size());
+      raw.groups.emplace_back();
+    }
+    element.group = model_->group;
     RawMesh::Set* set = nullptr;
     if (const auto name = parameters.find("ELSET"); name != parameters.end())
       set = &set_of(raw.element_sets, model_->element_sets, name->second);

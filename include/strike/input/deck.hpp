@@ -86,16 +86,19 @@ struct Deck {
 
  protected:
   static const NamedSet* find(const std::vector<NamedSet>& sets, std::string_view name) {
-    const auto set = std::find_if(sets.begin(), sets.end(), [&](const NamedSet& s) { return s.name == name; });
-    return set == sets.end() ? nullptr : &*set;
+    return only(sets, [&](const NamedSet& set) { return set.name == name; });
   }
   static const NamedSet* find(const std::vector<NamedSet>& sets, FileNumber number) {
-    const auto has_it = [&](const NamedSet& s) { return s.number == number; };
-    const auto set = std::find_if(sets.begin(), sets.end(), has_it);
+    return only(sets, [&](const NamedSet& set) { return set.number == number; });
+  }
+  template <class Predicate>
+  static const NamedSet* only(const std::vector<NamedSet>& sets, Predicate is_it) {
+    const auto set = std::find_if(sets.begin(), sets.end(), is_it);
     if (set == sets.end()) return nullptr;
-    if (const auto other = std::find_if(set + 1, sets.end(), has_it); other != sets.end())
-      throw Error(detail::joined({"Number ", std::to_string(number), " is that of '", set->name, "' and of '",
-                                  other->name, "': ask by name."}));
+    if (const auto other = std::find_if(set + 1, sets.end(), is_it); other != sets.end())
+      throw Error(detail::joined({"What is asked for is both ", std::to_string(set->number), " '", set->name, "' and ",
+                                  std::to_string(other->number), " '", other->name,
+                                  "': ask by what tells them apart, the name or the number."}));
     return &*set;
   }
   static std::string names(const std::vector<NamedSet>& sets) {

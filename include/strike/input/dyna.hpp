@@ -56,6 +56,12 @@ class DynaCard {
     while (fields-- > 0) text();
   }
   bool is_blank() const { return trimmed(rest_).empty(); }
+  /// Whether a field that was not read says more than 0.
+  bool says_more() {
+    while (!is_blank())
+      if (const std::string_view field = text(); !field.empty() && to_number(field) != 0.0) return true;
+    return false;
+  }
 
  private:
   std::string_view rest_;
@@ -82,7 +88,7 @@ class DynaReader {
     deck_.title = std::move(title_);
     resolve(done);
     for (auto&& notice : skipped_.sentences(" was skipped: ")) deck_.notices.push_back(std::move(notice));
-    for (auto&& notice : values_.sentences(" was ignored: ")) deck_.notices.push_back(std::move(notice));
+    for (auto&& notice : values_.sentences(" had no effect: ")) deck_.notices.push_back(std::move(notice));
     return std::move(deck_);
   }
 
@@ -117,6 +123,11 @@ class DynaReader {
   /// A value that has no counterpart here.
   void ignore(double value, std::string_view what) {
     if (value != 0) values_.add(joined({what, " of ", name_}), source_.line());
+  }
+
+  template <class... Cards>
+  void ignore_rest(Cards&... cards) {
+    (ignore(cards.says_more(), "Further fields"), ...);
   }
 
   void keyword(std::string_view line) {
@@ -307,6 +318,7 @@ class DynaReader {
       raw_.parts[part_of(number)].name = name;
       const FileNumber section = card.tag("SECID"), material = card.tag("MID"), eos = card.tag("EOSID");
       deck_.part_cards.push_back({number, name, section, material, eos, card.tag("HGID")});
+      ignore_rest(card);
     }
   }
 
@@ -413,20 +425,23 @@ class DynaReader {
     DynaCard card = this->card();
     const FileNumber number = card.tag("MID");
     const double density = card.positive("RO"), E = card.positive("E");
-    add(number, std::move(title), Elastic{density, E, poissons_ratio(card)});
+    const Elastic material{density, E, poissons_ratio(card)};
+    ignore_rest(card);
+    add(number, std::move(title), material);
   }
   void plastic_kinematic() {
     std::string title = title_of_card();
-    DynaCard card = this->card(), rate = DynaCard({}, source_);
+    DynaCard card = this->card();
     const FileNumber number = card.tag("MID");
     const double density = card.positive("RO"), E = card.positive("E");
     const Elastic m{density, E, poissons_ratio(card)};
     const double yield = card.number("SIGY"), tangent = card.number("ETAN"), beta = card.number("BETA");
     if (tangent != 0) ignore(1 - beta, "BETA (hardening is isotropic here)");
-    rate = this->card();
+    DynaCard rate = this->card();
     const double D = rate.number("SRC"), p = rate.number("SRP");
     PlasticMaterial material = plastic(m, yield, tangent, D, p);
     material.failure = failure_at(rate.number("FS"));
+    ignore_rest(card, rate);
     add(number, std::move(title), material);
   }
   void piecewise_plastic() {
@@ -442,6 +457,7 @@ class DynaReader {
     material.failure = failure_at(fails);
     ignore(rate.number("LCSS"), "LCSS (SIGY and ETAN are taken)");
     ignore(rate.number("LCSR"), "LCSR");
+    ignore_rest(card, rate);
     table("EPS and ES (SIGY and ETAN are taken)", 2);
     add(number, std::move(title), material);
   }
@@ -461,6 +477,7 @@ class DynaReader {
     const double density = card.positive("RO"), G = card.positive("G");
     const double yield = card.number("SIGY"), hardening = card.number("EH"), cutoff = card.number("PC");
     const HydroMaterial material{density, {G, yield, hardening}, failure_at(card.number("FS"))};
+    ignore_rest(card);
     table("EPS and ES (SIGY and EH are taken)", 4);
     add(number, std::move(title), material, cutoff);
   }
@@ -489,6 +506,7 @@ class DynaReader {
     heat.pass(1);
     for (std::size_t i = 0; i < 4; ++i) material.damage[i] = heat.number("D1 to D4");
     material.damage[4] = last.number("D5");
+    ignore_rest(card, law, last);
     add(number, std::move(title), material, cutoff);
   }
   void null() {
@@ -511,6 +529,7 @@ class DynaReader {
     DynaCard start = this->card();
     eos.initial_energy = start.number("E0");
     if (const double V0 = start.number("V0"); V0 != 0) ignore(V0 - 1, "V0");
+    ignore_rest(card, start);
     deck_.equations_of_state.push_back({number, name_, eos});
   }
   void gruneisen() {
@@ -591,6 +610,7 @@ class DynaReader {
         velocity.spin = omega / axis.norm() * axis;
       }
       ignore(turn.number("PHASE"), "PHASE");
+      ignore_rest(card, turn);
       if (number != 0 && (kind < 1 || kind > 3))
         source_.refuse({"STYP ", std::to_string(kind), " is none: give 1 (part set), 2 (part) or 3 (node set)."});
       constexpr std::array<Kind, 4> kinds{Kind::all, Kind::part_set, Kind::part, Kind::set};
@@ -613,6 +633,7 @@ class DynaReader {
       source_.refuse({"the normal of the wall has no length: give it a head that is not its tail."});
     wall.normal.normalize();
     wall.friction = plane.number("FRIC");
+    ignore_rest(card, plane);
     walls_.push_back({wall, {{set == 0 ? Kind::all : Kind::set, set, at}}});
   }
 
@@ -644,7 +665,12 @@ class DynaReader {
     contacts_.push_back({std::move(contact), {{{slave, slave_kind, at}, {master, master_kind, at}}}});
   }
 
-  void termination() { deck_.end_time = card().number("ENDTIM"); }
+  void termination() {
+    DynaCard card = this->card();
+    deck_.end_time = card.number("ENDTIM");
+    ignore(card.number("ENDCYC"), "ENDCYC");
+    ignore(card.number("DTMIN"), "DTMIN");
+  }
   void time_step() {
     DynaCard card = this->card();
     ignore(card.number("DTINIT"), "DTINIT");

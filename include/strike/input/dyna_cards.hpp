@@ -200,8 +200,7 @@ struct DynaDeck : Deck {
   static std::string text_of(FileNumber number) { return std::to_string(number); }
 
   const PartCard& card_of_part(std::string_view name) const {
-    for (const PartCard& card : part_cards)
-      if (card.name == name) return card;
+    if (const NamedSet* const part = find(parts, name)) return card_of_part(part->number);
     throw Error(detail::joined({"No *PART is called '", name, "': there are ", names(parts), "."}));
   }
   const PartCard& card_of_part(FileNumber number) const {

@@ -177,8 +177,8 @@ class Skipped {
       std::string places = lines.size() == 1 ? "line " : "lines ";
       for (const std::uint32_t line : lines) places += std::to_string(line) + ", ";
       places.resize(places.size() - 2);
-      if (lines.size() == 5 && count > 5) places += ", ...";
-      all.push_back(joined({name, " (", std::to_string(count), ")", why, places, "."}));
+      all.push_back(joined(
+          {name, " (", std::to_string(count), ")", why, places, lines.size() == 5 && count > 5 ? ", ..." : "."}));
     }
     if (further_ > 0) all.push_back(joined({"Others (", std::to_string(further_), ")", why, "not listed."}));
     return all;
