@@ -48,7 +48,7 @@ TEST_CASE("abaqus: parts are placed by instances, with their sets") {
   const Deck deck = read("*PART, NAME=cube\n" + cube +
                          "*ELEMENT, TYPE=C3D8, ELSET=own\n1,1,2,3,4,5,6,7,8\n*NSET, NSET=foot\n1,2,3,4\n*END PART\n"
                          "*ASSEMBLY, NAME=a\n*INSTANCE, NAME=one, PART=CUBE\n*END INSTANCE\n"
-                         "*INSTANCE, NAME=two, PART=cube\n3, 0, 0\n3,0,0, 3,0,1, 90\n*END INSTANCE\n"
+                         "\t*INSTANCE, NAME=two, PART=cube\r\n\t3, 0, 0\r\n  ** here\n3,0,0, 3,0,1, 90\n*END INSTANCE\n"
                          "*NSET, NSET=top, INSTANCE=two\n5,6\n*NSET, NSET=mixed\none.8, two.foot\n*ELEMENT, TYPE=S4\n"
                          "1, 1, 2, 3, 4\n*NODE\n1\n2, 1\n3, 1, 1\n4, 0, 1\n*END ASSEMBLY\n");
   CHECK(deck.mesh.nodes.size() == 20);

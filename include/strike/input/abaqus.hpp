@@ -47,8 +47,8 @@ class AbaqusReader {
   /// The next data line, without comments. False before a keyword and at the end.
   bool data(std::string_view& line) {
     while (source_.peek() != '\0') {
-      if (source_.peek() == '*' && !source_.at_comment("**")) return false;
-      const bool comment = source_.peek() == '*';
+      const bool comment = source_.next_begins_with("**");
+      if (!comment && source_.next_begins_with("*")) return false;
       source_.next(line);
       if (!comment && !trimmed(line).empty()) return true;
     }

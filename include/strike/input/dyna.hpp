@@ -586,6 +586,7 @@ class DynaReader {
       const Chosen chosen{Kind::node, defined(card.tag("NID"), "velocity"), source_.line()};
       const VelocityCard velocity{{}, card.vector("VX to VZ")};
       ignore(card.vector("VXR to VZR").norm(), "VXR to VZR");
+      ignore(card.number("ICID"), "ICID");
       if (velocities_.empty() || velocities_.back().first.velocity != velocity.velocity ||
           velocities_.back().second.front().kind != Kind::node)
         velocities_.push_back({velocity, {}});

@@ -129,7 +129,11 @@ class Source {
   }
   /// The character with which the next line begins.
   char peek() const { return rest_.empty() ? '\0' : rest_.front(); }
-  bool at_comment(std::string_view mark) const { return rest_.substr(0, mark.size()) == mark; }
+  /// Whether the next line begins so, after blanks.
+  bool next_begins_with(std::string_view mark) const {
+    const std::size_t first = rest_.find_first_not_of(" \t");
+    return first != rest_.npos && rest_.substr(first, mark.size()) == mark;
+  }
   /// The number of the last line, from 1.
   std::uint32_t line() const { return line_; }
 
