@@ -66,11 +66,11 @@ TEST_CASE("dyna: nodes and elements in columns and with commas, of every shape")
                             "*DATABASE_BINARY_D3PLOT (2) was skipped: lines 33, 35.",
                         });
   REQUIRE(deck.supports.size() == 2);  // TC and RC
-  CHECK(deck.supports[0].nodes == std::vector<Index>{1});
-  CHECK(deck.supports[0].held == std::array{false, false, true});
-  CHECK(deck.supports[1].nodes == std::vector<Index>{0});
-  CHECK(deck.supports[1].held == std::array{true, true, true});
-  CHECK(deck.supports[1].held_turns == std::array{true, true, false});
+  CHECK(deck.supports[1].nodes == std::vector<Index>{1});
+  CHECK(deck.supports[1].held == std::array{false, false, true});
+  CHECK(deck.supports[0].nodes == std::vector<Index>{0});
+  CHECK(deck.supports[0].held == std::array{true, true, true});
+  CHECK(deck.supports[0].held_turns == std::array{true, true, false});
 }
 
 TEST_CASE("dyna: sets of nodes, elements and parts") {

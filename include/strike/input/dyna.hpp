@@ -150,7 +150,7 @@ class DynaReader {
               : base.substr(0, 10) == "*BOUNDARY_" || base.substr(0, 11) == "*RIGIDWALL_" ? ends("_ID")
                                                                                           : ends("_TITLE");
     using Action = void (DynaReader::*)();
-    static const std::map<std::string_view, Action> actions{
+    static constexpr auto actions = std::to_array<std::pair<std::string_view, Action>>({
         {"*KEYWORD", &DynaReader::nothing_more},
         {"*END", &DynaReader::end},
         {"*TITLE", &DynaReader::title},
@@ -202,9 +202,11 @@ class DynaReader {
         {"*CONTROL_TERMINATION", &DynaReader::termination},
         {"*CONTROL_TIMESTEP", &DynaReader::time_step},
         {"*CONTROL_BULK_VISCOSITY", &DynaReader::bulk_viscosity},
-    };
+    });
     base_ = base;
-    if (const auto action = actions.find(base); action != actions.end()) {
+    const auto* const action =
+        std::find_if(actions.begin(), actions.end(), [&](const auto& known) { return known.first == base; });
+    if (action != actions.end()) {
       known_ = true;
       (this->*action->second)();
     } else {
@@ -232,7 +234,7 @@ class DynaReader {
       raw_.nodes.push_back({number, x, source_.line()});
       if (card.is_blank()) continue;
       const Fixed fixed{held_by(card.integer("TC", 0, 8)), held_by(card.integer("RC", 0, 8))};
-      if (fixed != Fixed{}) fixed_nodes_[fixed].push_back({Kind::node, number, source_.line()});
+      if (fixed != Fixed{}) choice_of(fixed).push_back({Kind::node, number, source_.line()});
     }
   }
   FileNumber defined(FileNumber number, const char* thing) const {
@@ -399,7 +401,7 @@ class DynaReader {
   }
 
   void add(FileNumber number, std::string title, decltype(MaterialCard::material) material, double cutoff = 0) {
-    MaterialCard card{number, name_, std::move(title), std::move(material), {}};
+    MaterialCard card{number, name_, std::move(title), material, {}};
     if (cutoff != 0) card.pressure_cutoff = -std::abs(cutoff);
     deck_.materials.push_back(std::move(card));
   }
@@ -552,6 +554,12 @@ class DynaReader {
   };
   using Choice = std::vector<Chosen>;
 
+  /// The nodes of their own that are fixed so.
+  Choice& choice_of(const Fixed& fixed) {
+    const auto known =
+        std::find_if(fixed_nodes_.begin(), fixed_nodes_.end(), [&](const auto& nodes) { return nodes.first == fixed; });
+    return known != fixed_nodes_.end() ? known->second : fixed_nodes_.emplace_back(fixed, Choice{}).second;
+  }
   void supports(Kind kind) {
     std::string_view line;
     while (next_full_line(line)) {
@@ -563,7 +571,7 @@ class DynaReader {
       for (bool& held : fixed.first) held = card.integer("DOFX to DOFZ") != 0;
       for (bool& held : fixed.second) held = card.integer("DOFRX to DOFRZ") != 0;
       if (kind == Kind::node)
-        fixed_nodes_[fixed].push_back(chosen);
+        choice_of(fixed).push_back(chosen);
       else
         supports_.push_back({fixed, {chosen}});
     }
@@ -663,7 +671,8 @@ class DynaReader {
       const double value = scales.number(what);
       ignore(value == 1 ? 0 : value, what);
     }
-    contacts_.push_back({std::move(contact), {{{slave, slave_kind, at}, {master, master_kind, at}}}});
+    const std::array<Side, 2> sides{{{slave, slave_kind, at}, {master, master_kind, at}}};
+    contacts_.emplace_back(std::move(contact), sides);
   }
 
   void termination() {
@@ -776,7 +785,7 @@ class DynaReader {
   bool titled_ = false, ended_ = false, known_ = false, known_keyword_ = false;
   std::map<FileNumber, std::uint32_t> parts_ = {};
   std::vector<RawMesh::Set> raw_part_sets_ = {};
-  std::map<Fixed, Choice> fixed_nodes_ = {};
+  std::vector<std::pair<Fixed, Choice>> fixed_nodes_ = {};  ///< one for each way of being fixed
   std::vector<std::pair<Fixed, Choice>> supports_ = {};
   std::vector<std::pair<VelocityCard, Choice>> velocities_ = {};
   std::vector<std::pair<WallCard, Choice>> walls_ = {};
