@@ -166,7 +166,7 @@ class Skipped {
  public:
   void add(std::string_view name, std::uint32_t line, std::size_t count = 1) {
     const auto known = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.name == name; });
-    if (known == kinds_.end() && kinds_.size() < 1000)
+    if (known == kinds_.end() && kinds_.size() < 200)
       kinds_.push_back({std::string(name), count, {line}});
     else if (known == kinds_.end())
       ++further_;
