@@ -34,5 +34,6 @@ int main() {  // the deck is in millimetres, milliseconds, kilograms
   results.add({"final length", length, "mm", 21.47, 0.02 * 21.47, "X3D, 1350 elements"});
   results.add({"energy error", run.energy().error(), "1", 0, 1e-3, "balance"});
   results.write("results.csv");
-  std::printf("final length %.3f mm, 21.47 with X3D and 1350 elements; energy error %.1e\n", length, run.energy().error());
+  std::printf("final length %.3f mm, 21.47 with X3D and 1350 elements; energy error %.1e\n", length,
+              run.energy().error());
 }
