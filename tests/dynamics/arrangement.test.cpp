@@ -103,8 +103,8 @@ TEMPLATE_TEST_CASE("neither numbers nor threads change a bit of the results", ""
     CHECK(hash_of(scene, Numbered(2, 3), OpenMP{3}, numbers) == natural);
 #endif
   };
-  check(bare);
   check(covered);
+  if constexpr (std::is_same_v<TestType, In<Pack<double>>>) check(bare);
 }
 
 TEST_CASE("nor do they with the bound of the whole mesh") {

@@ -10,9 +10,9 @@ namespace strike::free_tetrahedra {
 /// The unit cube in 6 n^3 tetrahedra, its corners moved at random by up to a share of the edge.
 inline Mesh block(Index n, double distortion) {
   Mesh mesh = tetrahedralized(box({.size = {1, 1, 1}, .cells = {n, n, n}}));
-  std::mt19937 random(5);
+  std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (Eigen::Vector3d& x : mesh.nodes) x += distortion / n * Eigen::Vector3d(unit(random), unit(random), unit(random));
+  for (Eigen::Vector3d& x : mesh.nodes) x += distortion / n * Eigen::Vector3d{unit(random), unit(random), unit(random)};
   return mesh;
 }
 

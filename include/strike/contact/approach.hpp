@@ -50,8 +50,7 @@ class Approach {
 
   /// Those that are inside at the begin stay as deep as they are without force, until they leave.
   void begin(const ContactNodes& all, Beginners& beginners) {
-    for (const auto& face : target_.faces())
-      size_ += (all.x[face[2]] - all.x[face[0]]).norm() / static_cast<double>(target_.faces().size());
+    size_ = target_.mean_size(all.x);
     if constexpr (self) {
       if (two_sided_) at_begin_ = all.x;
     }
@@ -266,9 +265,7 @@ class Approach {
     const double when = gap > 0 ? -gap / rate : 0.0;
     const Corners then = target_.corners(foot.face, all.x, all.v, when * dt);
     const Eigen::Vector3d at = all.x[i] + when * dt * all.v[i];
-    const ClosestPoint point =
-        target_.count(foot.face) == 3 ? closest_on_triangle(then, at) : closest_on_quadrilateral(then, at);
-    return std::sqrt(point.distance2) <= depth_ + 0.02 * size_ ? when : 2;
+    return std::sqrt(target_.closest(foot.face, then, at).distance2) <= depth_ + 0.02 * size_ ? when : 2;
   }
   /// Whether a node that comes to an edge or a corner will really be inside, or flies past.
   bool will_be_inside(const Foot& foot, const ContactNodes& all, Index i, double dt, double side) {

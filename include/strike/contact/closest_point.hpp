@@ -59,30 +59,37 @@ inline ClosestPoint closest_on_triangle(const Corners& X, const Eigen::Vector3d&
 inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vector3d& x) {
   const Eigen::Vector3d m0 = 0.25 * (X[0] + X[1] + X[2] + X[3]), m1 = 0.25 * (X[1] + X[2] - X[0] - X[3]),
                         m2 = 0.25 * (X[2] + X[3] - X[0] - X[1]), m3 = 0.25 * (X[0] - X[1] + X[2] - X[3]);
-  double s = 0, t = 0;
-  Eigen::Vector3d r = m0 - x;
-  bool found = false;
-  for (int iteration = 0; iteration < 20 && !found; ++iteration) {
-    const Eigen::Vector3d along_s = m1 + t * m3, along_t = m2 + s * m3;
-    const double a = along_s.squaredNorm(), b = along_t.squaredNorm(), tangents = along_s.dot(along_t);
-    double c = tangents + r.dot(m3), det = a * b - c * c;
-    if (!(det > 1e-3 * a * b)) c = tangents, det = a * b - c * c;
-    if (!(det > 1e-14 * a * b)) break;
-    const double g = r.dot(along_s), h = r.dot(along_t);
-    const double ds = std::clamp((c * h - b * g) / det, -2.0, 2.0), dt = std::clamp((c * g - a * h) / det, -2.0, 2.0);
-    s = std::clamp(s + ds, -3.0, 3.0), t = std::clamp(t + dt, -3.0, 3.0);
-    r = m0 + s * m1 + t * m2 + s * t * m3 - x;
-    found = std::abs(ds) + std::abs(dt) < 1e-7;  // Newton squares it
-    if (iteration == 0 && m3.squaredNorm() < 1e-20 * (a + b)) found = true;
-  }
   ClosestPoint point;
-  const bool is_inside = std::abs(s) <= 1 && std::abs(t) <= 1;
-  if (is_inside) {
-    const double p = 0.25 * (1 + t), m = 0.25 * (1 - t);
-    point = {.N = {(1 - s) * m, (1 + s) * m, (1 + s) * p, (1 - s) * p}, .away = -r, .distance2 = r.squaredNorm()};
-  }
+  bool is_found = true;
+  const auto descend_from = [&](double s, double t) {
+    Eigen::Vector3d r = m0 + s * m1 + t * m2 + s * t * m3 - x;
+    bool found = false;
+    for (int iteration = 0; iteration < 20 && !found; ++iteration) {
+      const Eigen::Vector3d along_s = m1 + t * m3, along_t = m2 + s * m3;
+      const double a = along_s.squaredNorm(), b = along_t.squaredNorm(), tangents = along_s.dot(along_t);
+      double c = tangents + r.dot(m3), det = a * b - c * c;
+      if (!(det > 1e-3 * a * b)) c = tangents, det = a * b - c * c;
+      if (!(det > 1e-14 * a * b)) break;
+      const double g = r.dot(along_s), h = r.dot(along_t);
+      const double ds = std::clamp((c * h - b * g) / det, -2.0, 2.0), dt = std::clamp((c * g - a * h) / det, -2.0, 2.0);
+      s = std::clamp(s + ds, -3.0, 3.0), t = std::clamp(t + dt, -3.0, 3.0);
+      r = m0 + s * m1 + t * m2 + s * t * m3 - x;
+      found = std::abs(ds) + std::abs(dt) < 1e-7;  // Newton squares it
+      if (iteration == 0 && m3.squaredNorm() < 1e-20 * (a + b)) found = true;
+    }
+    const bool is_inside = std::abs(s) <= 1 && std::abs(t) <= 1;
+    if (is_inside && found && r.squaredNorm() < point.distance2) {
+      const double p = 0.25 * (1 + t), m = 0.25 * (1 - t);
+      point = {.N = {(1 - s) * m, (1 + s) * m, (1 + s) * p, (1 - s) * p}, .away = -r, .distance2 = r.squaredNorm()};
+    }
+    is_found = is_found && is_inside && found;
+  };
+  descend_from(0, 0);
   const bool is_flat = m3.squaredNorm() < 1e-2 * std::min(m1.squaredNorm(), m2.squaredNorm());
-  if (!is_inside || !found || !is_flat)  // of a strong warp an edge may be closer than what Newton has found
+  if (!is_flat)  // a strong warp has several places where the distance is least around them
+    for (const double s : {-0.7, 0.7})
+      for (const double t : {-0.7, 0.7}) descend_from(s, t);
+  if (!is_found || !is_flat)
     for (unsigned i = 0; i < 4; ++i) approach_edge(point, X, x, i, (i + 1) % 4);
   return point;
 }

@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include <strike/contact/law.hpp>
 #include <strike/contact/pairing.hpp>
 #include <strike/mesh/nodes.hpp>
+#include <strike/pick.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -30,23 +30,17 @@ concept Pairing = requires(const P pairing, const ContactNodes nodes) {
 /// What the compiler has been asked to take for a law.
 struct NoContactPolicy {};
 
-template <template <class> class Is, class Default, class... Policies>
-struct Picked {
-  using type = Default;
-};
 template <class T>
 struct IsContactLaw : std::bool_constant<ContactLaw<T>> {};
 template <class T>
 struct IsFriction : std::bool_constant<Friction<T>> {};
-template <template <class> class Is, class Default, class First, class... Rest>
-struct Picked<Is, Default, First, Rest...>
-    : std::conditional_t<Is<First>::value, std::type_identity<First>, Picked<Is, Default, Rest...>> {};
 
 template <class... Policies>
-using LawOf = std::conditional_t<((ContactLaw<Policies> || Friction<Policies>)&&...),
-                                 typename Picked<IsContactLaw, Kinematic, Policies...>::type, NoContactPolicy>;
+using LawOf =
+    std::conditional_t<((ContactLaw<Policies> || Friction<Policies>)&&...),
+                       decltype(pick<IsContactLaw>(std::declval<Policies>()..., Kinematic{})), NoContactPolicy>;
 template <class... Policies>
-using FrictionOf = typename Picked<IsFriction, Frictionless, Policies...>::type;
+using FrictionOf = decltype(pick<IsFriction>(std::declval<Policies>()..., Frictionless{}));
 
 }  // namespace detail
 
@@ -58,16 +52,10 @@ template <class P, class Law, class F>
 class Contact {
  public:
   template <class... Policies>
-  explicit Contact(P pairing, const Policies&... policies) : pairing_(std::move(pairing)) {
-    [[maybe_unused]] const auto take = [&](const auto& policy) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(policy)>, Law>)
-        law_ = policy;
-      else
-        friction_.emplace(policy);
-    };
-    (take(policies), ...);
-    if constexpr (std::is_default_constructible_v<F>)
-      if (!friction_) friction_.emplace();
+  explicit Contact(P pairing, const Policies&... policies)
+      : pairing_(std::move(pairing)),
+        law_(detail::pick<detail::IsContactLaw>(policies..., Kinematic{})),
+        friction_(detail::pick<detail::IsFriction>(policies..., Frictionless{})) {
     detail::check_law(law_);
   }
 
@@ -160,7 +148,7 @@ class Contact {
     const Eigen::Vector3d along = (1 / speed) * sliding;
     const double yielding = pair.yielding_along(all_, along);
     if (!(yielding > 0)) return;
-    pair.drag(all_, -friction_->impulse(pair.impulse, speed / yielding) * along);
+    pair.drag(all_, -friction_.impulse(pair.impulse, speed / yielding) * along);
   }
 
   std::vector<std::pair<Index, Eigen::Vector3d>> forces() const {
@@ -174,7 +162,7 @@ class Contact {
 
   P pairing_;
   Law law_;
-  std::optional<F> friction_;
+  [[no_unique_address]] F friction_;
   ContactNodes all_;
   std::optional<Meeting> meeting_;
   std::vector<ContactPair> pairs_;

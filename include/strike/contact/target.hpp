@@ -56,6 +56,12 @@ class Target {
   /// Those that have this corner.
   std::span<const Index> at(Index node) const { return {at_.data() + first_[node], first_[node + 1] - first_[node]}; }
 
+  /// The mean of the faces' diagonals [length].
+  double mean_size(std::span<const Eigen::Vector3d> x) const {
+    double sum = 0;
+    for (const auto& face : faces_) sum += (x[face[2]] - x[face[0]]).norm() / static_cast<double>(faces_.size());
+    return sum;
+  }
   Corners corners(Index face, std::span<const Eigen::Vector3d> x) const {
     const auto& c = faces_[face];
     return {x[c[0]], x[c[1]], x[c[2]], x[c[3]]};

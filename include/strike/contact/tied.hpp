@@ -36,9 +36,7 @@ class Tied {
     all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {});
     target_ = detail::target_of(surface_.faces(), all_);
     const std::vector<Index> local = detail::to_local(nodes_, all_);
-    if (!(tolerance_ > 0))
-      for (const auto& face : target_.faces())
-        tolerance_ += 0.1 * (all_.x[face[2]] - all_.x[face[0]]).norm() / static_cast<double>(target_.faces().size());
+    if (!(tolerance_ > 0)) tolerance_ = 0.1 * target_.mean_size(all_.x);
     detail::BucketSearch search;
     search.sort(local, target_.faces(), all_.x, tolerance_);
     for (std::size_t s = 0; s < local.size(); ++s) {

@@ -6,6 +6,7 @@
 #include <strike/dynamics/relaxation.hpp>
 #include <strike/dynamics/step_bound.hpp>
 #include <strike/mesh/nodes.hpp>
+#include <strike/pick.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -58,14 +59,6 @@ constexpr bool is_available() {
     return true;
 }
 
-/// The first of the policies that `Is`, else the last, which is the usual one.
-template <template <class> class Is, class Policy, class... Rest>
-constexpr auto pick(const Policy& policy, const Rest&... rest) {
-  if constexpr (sizeof...(Rest) == 0 || Is<Policy>::value)
-    return policy;
-  else
-    return pick<Is>(rest...);
-}
 template <class... Policies>
 using NumbersOf = decltype(pick<IsNumbers>(std::declval<Policies>()..., In<Pack<double>>{}));
 template <class... Policies>
