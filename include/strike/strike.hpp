@@ -2,7 +2,6 @@
 #include <strike/contact.hpp>
 #include <strike/dynamics.hpp>
 #include <strike/element.hpp>
-#include <strike/input.hpp>
 #include <strike/load.hpp>
 #include <strike/material.hpp>
 #include <strike/mesh.hpp>

@@ -17,12 +17,13 @@ const std::string cube =
 }  // namespace
 
 TEST_CASE("abaqus: a flat deck with sets, ranges and elements over two lines") {
-  const Deck deck = read("*Heading\n  two cells\n** comment\n" + cube +
-                         "9, 0.5, 0.5, 2e0\n10\n77, 9, 9, 9\n*ELEMENT, TYPE=C3D8R, ELSET=BOX\n5, 1, 2, 3, 4,\n"
-                         " 5, 6, 7, 8\n*element, type=C3D4,\n  elset=tip\n6, 5,6,7,9\n*ELEMENT, TYPE=S3R, ELSET=skin\n"
-                         "7, 8, 9, 10\n*ELEMENT, TYPE=S4, ELSET=skin\n8, 1, 2, 2, 10\n*ELEMENT, TYPE=R3D4\n9, 1,2,3,4\n"
-                         "*NSET, NSET=left, GENERATE\n1, 1000000000, 4\n*NSET, NSET=\"both of them\"\nleft, 2, \n"
-                         "*ELSET, ELSET=solids\nBOX, TIP\n*MATERIAL, NAME=steel\n*ELASTIC\n2e11, .3\n*STEP\n*STEP\n");
+  const Deck deck =
+      read("*Heading\n  two cells\n** comment\n" + cube +
+           "9, 0.5, 0.5, 2e0\n10\n77, 9, 9, 9\n*ELEMENT, TYPE=C3D8R, ELSET=BOX\n5, 1, 2, 3, 4,\n"
+           " 5, 6, 7, 8\n*element, type=C3D4,\n  elset=tip\n6, 5,6,7,9\n*ELEMENT, TYPE=S3R, ELSET=skin\n"
+           "7, 8, 9, 10\n*ELEMENT, TYPE=S4, ELSET=skin\n8, 1, 2, 2, 10\n*ELEMENT, TYPE=R3D4\n9, 1,2,3,4\n"
+           "*NSET, NSET=left, GENERATE\n1, 1000000000, 4\n*NSET, NSET=\"both of them\"\nleft, 2, \n"
+           "*ELSET, ELSET=solids\nBOX, TIP, 9\n*MATERIAL, NAME=steel\n*ELASTIC\n2e11, .3\n*STEP\n*STEP\n");
   CHECK(deck.title == "two cells");
   CHECK(deck.mesh.nodes.size() == 10);
   CHECK(deck.mesh.nodes[9] == Eigen::Vector3d(0, 0, 0));

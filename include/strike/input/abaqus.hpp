@@ -28,8 +28,8 @@ class AbaqusReader {
     if (model_ != &all_) source_.refuse({"a part has no end: write *END PART after it."});
     Deck deck = finished(std::move(all_.raw), source_).deck;
     deck.title = std::move(title_);
-    for (auto&& notice : skipped_.sentences(" was skipped: ")) deck.notices.push_back(std::move(notice));
-    for (auto&& notice : ignored_.sentences(" were ignored: ")) deck.notices.push_back(std::move(notice));
+    skipped_.tell(deck.notices, " was skipped: ");
+    ignored_.tell(deck.notices, " were ignored: ");
     return deck;
   }
 
@@ -110,14 +110,6 @@ class AbaqusReader {
       if (title_.empty()) title_ = std::string(trimmed(line));
   }
 
-  /// A number of the file, from 1.
-  FileNumber tag(std::string_view field, std::string_view meaning) const {
-    const FileNumber n = source_.integer(field, meaning);
-    if (n < 1 || n >= RawMesh::scope)
-      source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
-    return n;
-  }
-
   void nodes(const Parameters& parameters) {
     if (const auto system = parameters.find("SYSTEM");
         system != parameters.end() && !same_word(system->second, "R") && !system->second.empty())
@@ -127,7 +119,7 @@ class AbaqusReader {
       set = &set_of(model_->raw.node_sets, model_->node_sets, name->second);
     std::string_view line;
     while (data(line)) {
-      const FileNumber number = tag(taken(line, ','), "the number of a node");
+      const FileNumber number = source_.tag(taken(line, ','), "the number of a node");
       Eigen::Vector3d x = Eigen::Vector3d::Zero();
       for (Eigen::Index i = 0; i < 3; ++i) {
         const std::string_view field = trimmed(taken(line, ','));
@@ -168,13 +160,13 @@ class AbaqusReader {
       set = &set_of(raw.element_sets, model_->element_sets, name->second);
     std::string_view line;
     while (data(line)) {
-      element.number = tag(taken(line, ','), "the number of an element");
+      element.number = source_.tag(taken(line, ','), "the number of an element");
       element.line = source_.line();
       for (std::size_t i = 0; i < corner_count(element.shape); ++i) {
         if (trimmed(line).empty() && !data(line))
           source_.refuse({"element ", std::to_string(element.number), " of type ", type, " has ", std::to_string(i),
                           " corners of ", std::to_string(corner_count(element.shape)), ": give them all."});
-        element.corners[i] = tag(taken(line, ','), "a corner");
+        element.corners[i] = source_.tag(taken(line, ','), "a corner");
       }
       if (!trimmed(line).empty())
         source_.refuse({"element ", std::to_string(element.number), " has too many corners for its type ", type,
@@ -187,8 +179,11 @@ class AbaqusReader {
     std::string_view line;
     bool goes_on = false;
     while (data(line)) {
-      if (!goes_on) ignored_.add("Elements of type " + type.substr(0, 40), source_.line());
+      const bool is_new = !goes_on;
       goes_on = trimmed(line).back() == ',';
+      if (!is_new) continue;
+      model_->raw.ignored_elements.push_back(source_.tag(taken(line, ','), "the number of an element"));
+      ignored_.add("Elements of type " + type.substr(0, 40), source_.line());
     }
   }
 
@@ -209,9 +204,9 @@ class AbaqusReader {
     while (data(line)) {
       const std::uint32_t at = source_.line();
       if (parameters.contains("GENERATE")) {
-        const FileNumber first = tag(taken(line, ','), "the first of a range"),
-                         last = tag(taken(line, ','), "the last of a range");
-        const FileNumber step = trimmed(line).empty() ? 1 : tag(taken(line, ','), "the step of a range");
+        const FileNumber first = source_.tag(taken(line, ','), "the first of a range"),
+                         last = source_.tag(taken(line, ','), "the last of a range");
+        const FileNumber step = trimmed(line).empty() ? 1 : source_.tag(taken(line, ','), "the step of a range");
         if (first <= last) set.ranges.push_back({scope + first, scope + last, step, at});
         continue;
       }
@@ -223,7 +218,7 @@ class AbaqusReader {
           if (const auto instance = scopes_.find(upper(field.substr(0, dot))); instance != scopes_.end())
             own_scope = instance->second, field = field.substr(dot + 1);
         if (to_integer(field)) {
-          const FileNumber number = own_scope + tag(field, "a number of a set");
+          const FileNumber number = own_scope + source_.tag(field, "a number of a set");
           set.ranges.push_back({number, number, 1, at});
         } else if (const auto other = places.find(upper(field)); other != places.end() && other->second < self) {
           set.others.push_back(other->second);
@@ -299,6 +294,7 @@ class AbaqusReader {
       element.group = group;
       to.elements.push_back(element);
     }
+    for (const FileNumber number : from.ignored_elements) to.ignored_elements.push_back(number + scope);
     const auto copy = [&](const std::vector<RawMesh::Set>& sets, std::vector<RawMesh::Set>& all, auto& places) {
       const std::size_t first = all.size();
       for (RawMesh::Set set : sets) {

@@ -48,8 +48,8 @@ class GmshReader {
     if (version_ == 0) source_.refuse({"the file is empty: save it from gmsh as .msh of version 2.2 or 4.1."});
     Deck deck = finished(std::move(raw_), source_).deck;
     std::erase_if(deck.parts, [](const NamedSet& part) { return part.members.empty(); });
-    for (auto&& notice : skipped_.sentences(" was skipped: ")) deck.notices.push_back(std::move(notice));
-    for (auto&& notice : ignored_.sentences(" were ignored: ")) deck.notices.push_back(std::move(notice));
+    skipped_.tell(deck.notices, " was skipped: ");
+    ignored_.tell(deck.notices, " were ignored: ");
     return deck;
   }
 
@@ -70,18 +70,7 @@ class GmshReader {
   }
   FileNumber integer(std::string_view meaning) { return source_.integer(word(meaning), meaning); }
   double number(std::string_view meaning) { return source_.number(word(meaning), meaning); }
-  FileNumber bounded(std::string_view meaning) {
-    const FileNumber n = integer(meaning);
-    if (n <= -RawMesh::scope || n >= RawMesh::scope)
-      source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
-    return n;
-  }
-  /// A number from 1 that fits a scope.
-  FileNumber tag(std::string_view meaning) {
-    const FileNumber n = bounded(meaning);
-    if (n < 1) source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
-    return n;
-  }
+  FileNumber tag(std::string_view meaning, FileNumber least = 1) { return source_.tag(word(meaning), meaning, least); }
 
   void to_end_of(std::string_view name) {
     do {
@@ -118,7 +107,7 @@ class GmshReader {
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) number("a bound of an entity");
         for (FileNumber groups = integer("the count of groups"); groups > 0; --groups)
           physicals_[{dimension, entity}].push_back(
-              std::abs(bounded("the number of a group")));  // negative: turned over
+              std::abs(tag("the number of a group", -number_limit)));  // negative: turned over
         if (dimension > 0)
           for (FileNumber bounds = integer("the count of bounds"); bounds > 0; --bounds) integer("a bounding entity");
       }

@@ -77,7 +77,7 @@ class Numbering {
 /// What readers gather, by the numbers of the file; `finished` makes a deck of it.
 struct RawMesh {
   /// Numbers are unique in their scope: an instance of a part, or the solids and the shells of LS-DYNA.
-  static constexpr FileNumber scope = FileNumber(1) << 40;
+  static constexpr FileNumber scope = number_limit;
 
   struct Node {
     FileNumber number;
@@ -107,7 +107,8 @@ struct RawMesh {
   std::vector<std::vector<std::uint32_t>> groups = {};  ///< the parts that the elements of a group belong to
   std::vector<NamedSet> parts = {};
   std::vector<Set> node_sets = {}, element_sets = {};
-  bool faces_are_marks = false;  ///< surface cells on solids name nodes, and are no plates
+  std::vector<FileNumber> ignored_elements = {};  ///< of kinds that are no cells; sets may hold them
+  bool faces_are_marks = false;                   ///< surface cells on solids name nodes, and are no plates
 };
 
 constexpr std::size_t corner_count(RawMesh::Shape shape) {
@@ -142,13 +143,15 @@ struct Finished {
   }
 };
 
+/// The sets by places in the mesh. Error: one holds a number that neither a thing has nor one that was ignored.
 inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numbering& numbering,
-                                      std::span<const Index> place, const char* thing, const Source& source) {
+                                      const Numbering& ignored, std::span<const Index> place, const char* thing,
+                                      const Source& source) {
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : sets) {
     std::vector<Index> members;
     for (const auto& [first, last, step, line] : set.ranges) {
-      if (first == last && numbering.find(first) == nothing)
+      if (first == last && numbering.find(first) == nothing && ignored.find(first) == nothing)
         source.refuse(line, {thing, " ", std::to_string(first % RawMesh::scope),
                              " is not in the file: define it or take it off this set."});
       numbering.for_range(first, last, step, [&](Index i) {
@@ -277,8 +280,9 @@ inline Finished finished(RawMesh raw, const Source& source) {
                   {"element ", std::to_string(twin.number % RawMesh::scope), " is on line ", std::to_string(twin.line),
                    " already: give each element a number of its own."});
   }
-  deck.node_sets = resolved(std::move(raw.node_sets), result.file_nodes, result.place, "node", source);
-  deck.cell_sets = resolved(std::move(raw.element_sets), file_elements, cell_place, "element", source);
+  deck.node_sets = resolved(std::move(raw.node_sets), result.file_nodes, {}, result.place, "node", source);
+  deck.cell_sets = resolved(std::move(raw.element_sets), file_elements, Numbering(std::move(raw.ignored_elements)),
+                            cell_place, "element", source);
   if (marks > 0)
     deck.notices.push_back(
         joined({"Surface elements on solids (", std::to_string(marks), ") name nodes, and are no plates."}));

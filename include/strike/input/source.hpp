@@ -25,6 +25,9 @@ using FileNumber = std::int64_t;
 
 namespace detail {
 
+/// Numbers in a file are below this.
+inline constexpr FileNumber number_limit = FileNumber(1) << 40;
+
 /// The content of a file. Error: it cannot be read.
 inline std::string content_of_file(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
@@ -153,7 +156,13 @@ class Source {
     if (!value) refuse({meaning, " ", shown(field), " is no whole number: correct it."});
     return *value;
   }
-  const std::string& name() const { return name_; }
+  /// A number that names a thing, and fits a scope.
+  FileNumber tag(std::string_view field, std::string_view meaning, FileNumber least = 1) const {
+    const FileNumber n = integer(field, meaning);
+    if (n < least || n >= number_limit)
+      refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
+    return n;
+  }
 
  private:
   std::string_view rest_;
@@ -173,10 +182,9 @@ class Skipped {
     else if (known->count += count; known->lines.size() < 5 && known->lines.back() != line)
       known->lines.push_back(line);
   }
-  /// "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
   bool empty() const { return kinds_.empty(); }
-  std::vector<std::string> sentences(std::string_view why) const {
-    std::vector<std::string> all;
+  /// Adds the notices: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
+  void tell(std::vector<std::string>& all, std::string_view why) const {
     for (const auto& [name, count, lines] : kinds_) {
       std::string places = lines.size() == 1 ? "line " : "lines ";
       for (const std::uint32_t line : lines) places += std::to_string(line) + ", ";
@@ -185,7 +193,6 @@ class Skipped {
           {name, " (", std::to_string(count), ")", why, places, lines.size() == 5 && count > 5 ? ", ..." : "."}));
     }
     if (further_ > 0) all.push_back(joined({"Others (", std::to_string(further_), ")", why, "not listed."}));
-    return all;
   }
 
  private:
