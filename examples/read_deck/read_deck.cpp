@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include <strike/input.hpp>
 #include <strike/strike.hpp>
 
 using namespace strike;
