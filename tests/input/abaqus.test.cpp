@@ -45,6 +45,17 @@ TEST_CASE("abaqus: a flat deck with sets, ranges and elements over two lines") {
                         });
 }
 
+TEST_CASE("abaqus: surfaces of gmsh are plates unless they lie on solids") {
+  const Deck deck = read(cube +
+                         "9, 2\n10, 2, 1\n*ELEMENT, TYPE=CPS4, ELSET=Surface1\n1,1,2,3,4\n2,2,9,10,3\n"
+                         "*ELEMENT, TYPE=CPS3, ELSET=Surface2\n3,2,9,10\n*ELEMENT, TYPE=C3D8\n4,1,2,3,4,5,6,7,8\n"
+                         "*ELSET, ELSET=side\n1, 2, \n");
+  CHECK(deck.mesh.hexahedra.size() == 1);
+  CHECK(deck.mesh.quadrilaterals == Cells<4>{{1, 8, 9, 2}, {1, 8, 9, 9}});
+  CHECK(deck.part("side").quadrilaterals == Cells<4>{{1, 8, 9, 2}});
+  CHECK(deck.notices == std::vector<std::string>{"Surface elements on solids (1) mark faces, and are no plates."});
+}
+
 TEST_CASE("abaqus: parts are placed by instances, with their sets") {
   const Deck deck = read("*PART, NAME=cube\n" + cube +
                          "*ELEMENT, TYPE=C3D8, ELSET=own\n1,1,2,3,4,5,6,7,8\n*NSET, NSET=foot\n1,2,3,4\n*END PART\n"

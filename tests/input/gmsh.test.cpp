@@ -41,7 +41,7 @@ TEST_CASE("gmsh: version 2.2 with groups, faces on solids, lines and an orphan")
   CHECK(deck.nodes("edge") == std::vector<Index>{0, 1});
   CHECK(deck.nodes("point 1") == std::vector<Index>{0});
   CHECK(deck.notices == std::vector<std::string>{
-                            "Surface elements on solids (2) name nodes, and are no plates.",
+                            "Surface elements on solids (2) mark faces, and are no plates.",
                             "Nodes without an element (1, the first has the number 100) were dropped.",
                             "$NodeData (1) was skipped: line 36.",
                             "Points (1) were ignored: line 27.",

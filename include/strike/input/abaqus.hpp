@@ -136,19 +136,21 @@ class AbaqusReader {
   void elements(const Parameters& parameters) {
     const std::string type = upper(required(parameters, "TYPE", "*ELEMENT"));
     RawMesh::Element element{0, {}, 0, 0, Shape::hexahedron};
-    if (begins_with_one_of(type, {"C3D10", "C3D15", "C3D2", "C3D5", "C3D6", "S8", "S9", "STRI65", "SC6", "SC8"}))
+    if (begins_with_one_of(
+            type, {"C3D10", "C3D15", "C3D2", "C3D5", "C3D6", "S8", "S9", "STRI65", "SC6", "SC8", "CPS6", "CPS8"}))
       source_.refuse(
           {"elements of type ", shown(type), " are not read: mesh in first order with C3D8, C3D4, S4 or S3."});
     if (begins_with_one_of(type, {"C3D8"}))
       element.shape = Shape::hexahedron;
     else if (begins_with_one_of(type, {"C3D4"}))
       element.shape = Shape::tetrahedron;
-    else if (begins_with_one_of(type, {"S4"}))
+    else if (begins_with_one_of(type, {"S4", "CPS4"}))
       element.shape = Shape::quadrilateral;
-    else if (type == "S3" || begins_with_one_of(type, {"S3R", "STRI3"}))
+    else if (type == "S3" || begins_with_one_of(type, {"S3R", "STRI3", "CPS3"}))
       element.shape = Shape::triangle;
     else
       return ignore(type);
+    element.marks_solids = begins_with_one_of(type, {"CPS"});  // gmsh's only elements of surfaces
     RawMesh& raw = model_->raw;
     if (model_->group == nothing) {
       model_->group = static_cast<std::uint32_t>(raw.groups.size());
@@ -322,9 +324,9 @@ class AbaqusReader {
 
 /// The mesh of an Abaqus input file (.inp), flat or of parts and instances. Instances are parts; `*ELSET`s serve as
 /// parts too; sets within a part are called "instance.set". C3D8, C3D4, S4, S3 and their kinds (C3D8R, ...) are read,
-/// elements of other types ignored with a notice, keywords that say no mesh skipped with one. `name` stands in
-/// messages. Errors: `*INCLUDE`; solids or shells of higher order, wedges; a number that is none, or is there twice; a
-/// node, set, part or instance that is not there.
+/// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; elements of other types are ignored with a
+/// notice, keywords that say no mesh skipped with one. `name` stands in messages. Errors: `*INCLUDE`; solids or shells
+/// of higher order, wedges; a number that is none, or is there twice; a node, set, part or instance that is not there.
 inline Deck read_abaqus(std::string_view text, std::string name) {
   return detail::AbaqusReader(detail::Source(text, std::move(name))).read();
 }

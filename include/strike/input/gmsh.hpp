@@ -19,7 +19,7 @@ namespace detail {
 /// MSH 2.2 and 4.1 in ASCII (Gmsh reference manual, "MSH file format").
 class GmshReader {
  public:
-  explicit GmshReader(Source source) : source_(std::move(source)) { raw_.faces_are_marks = true; }
+  explicit GmshReader(Source source) : source_(std::move(source)) {}
 
   Deck read() {
     std::string_view line;
@@ -192,6 +192,7 @@ class GmshReader {
       return;
     }
     element.group = group.number;
+    element.marks_solids = kind->dimension == 2;
     element.shape = type == 2   ? Shape::triangle
                     : type == 3 ? Shape::quadrilateral
                     : type == 4 ? Shape::tetrahedron

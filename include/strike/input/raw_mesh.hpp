@@ -90,6 +90,7 @@ struct RawMesh {
     std::array<FileNumber, 8> corners;
     std::uint32_t group, line;  ///< group: of those of the mesh
     Shape shape;
+    bool marks_solids = false;  ///< a surface cell that is no plate if it lies on solids
   };
   struct Range {
     FileNumber first, last, step;
@@ -108,7 +109,6 @@ struct RawMesh {
   std::vector<NamedSet> parts = {};
   std::vector<Set> node_sets = {}, element_sets = {};
   std::vector<FileNumber> ignored_elements = {};  ///< of kinds that are no cells; sets may hold them
-  bool faces_are_marks = false;                   ///< surface cells on solids name nodes, and are no plates
 };
 
 constexpr std::size_t corner_count(RawMesh::Shape shape) {
@@ -232,12 +232,12 @@ inline Finished finished(RawMesh raw, const Source& source) {
   };
   mark_used(true);
   std::size_t marks = 0;
-  if (raw.faces_are_marks)
-    for (Cell& cell : cells) {
-      cell.is_mark = cell.shape == Shape::quadrilateral &&
-                     std::all_of(cell.corners.begin(), cell.corners.begin() + 4, [&](Index n) { return used[n] != 0; });
-      marks += cell.is_mark;
-    }
+  for (std::size_t e = 0; e < cells.size(); ++e) {
+    const auto first = cells[e].corners.begin();
+    cells[e].is_mark =
+        raw.elements[e].marks_solids && std::all_of(first, first + 4, [&](Index n) { return used[n] != 0; });
+    marks += cells[e].is_mark;
+  }
   mark_used(false);
 
   // Nodes that a cell uses, in the order of the file.
@@ -285,7 +285,7 @@ inline Finished finished(RawMesh raw, const Source& source) {
                             cell_place, "element", source);
   if (marks > 0)
     deck.notices.push_back(
-        joined({"Surface elements on solids (", std::to_string(marks), ") name nodes, and are no plates."}));
+        joined({"Surface elements on solids (", std::to_string(marks), ") mark faces, and are no plates."}));
   if (orphans > 0)
     deck.notices.push_back(joined({"Nodes without an element (", std::to_string(orphans), ", the first has the number ",
                                    std::to_string(orphan), ") were dropped."}));
