@@ -18,4 +18,5 @@
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/thickness_rule.hpp>
 #include <strike/material/transverse_shear.hpp>
+#include <strike/material/vumat.hpp>
 #include <strike/material/zero_normal_stress.hpp>
