@@ -47,8 +47,8 @@ int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     options.check();
     const double error_at_a_point = largest_error_at_a_point();
-    std::printf("One point in tension: largest difference from the formula %.1e of the flow stress\n",
-                error_at_a_point);
+    std::printf("one point in tension   the law's own formula to %.0e\n",
+                std::pow(10, std::ceil(std::log10(error_at_a_point))));
 
     const Mesh bar = cylinder({.radius = 3.2, .length = 32.4});
     Explicit run{Scene{bar.nodes,                                                        //
@@ -61,8 +61,8 @@ int main(int count, char** arguments) {
 
     double length = 0;
     for (const auto& x : run.positions()) length = std::max(length, x.z());
-    std::printf("Taylor bar: final length %.3f mm after %zu steps, energy error %.4f %%\n", length, run.steps(),
-                100 * run.energy().error());
+    std::printf("Taylor bar             final length %.3f mm, energy error %.2f %%\n", length,
+                100 * std::abs(run.energy().error()));
 
     Picture picture{{.title = "Voce copper at 80 us",
                      .quantity = "equivalent plastic strain",
