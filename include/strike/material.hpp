@@ -13,9 +13,13 @@
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/point_values.hpp>
 #include <strike/material/solid.hpp>
+#include <strike/material/strength/cowper_symonds.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/power_hardening.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/von_mises.hpp>
+#include <strike/material/strength/zerilli_armstrong.hpp>
 #include <strike/material/thickness_rule.hpp>
 #include <strike/material/transverse_shear.hpp>
 #include <strike/material/zero_normal_stress.hpp>
