@@ -6,6 +6,9 @@
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
 #include <strike/material/failure/failure.hpp>
+#include <strike/material/failure/johnson_cook_failure.hpp>
+#include <strike/material/failure/principal_stress.hpp>
+#include <strike/material/failure/tuler_butcher.hpp>
 #include <strike/material/fluid.hpp>
 #include <strike/material/kinematics.hpp>
 #include <strike/material/layered.hpp>

@@ -59,18 +59,20 @@ struct Solid {
     const T p_old = (-1.0 / 3.0) * trace(state.stress);
     const T dv = volume_increment<T>(J, dt * trace(D));
 
-    SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt);
+    [[maybe_unused]] const T strain_old = detail::plastic_strain<T>(state);
+    const SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt);
     const T deviatoric_work = (J - 0.5 * dv) * (0.5 * double_dot(s_old + s, d));
-    T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
-    if constexpr (requires { state.solid; }) {
-      state.solid = select(failure.fails(equivalent_stress(s), state), T(0.0), state.solid);
-      s = state.solid * s;
-      p = select(state.solid > 0.0, p, max(p, T(0.0)));
-    }
+    const T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
     state.stress = s - SymmetricTensor<T>::isotropic(p);
-    if constexpr (requires { state.intact; }) {
-      state.intact = select(failure.fails(equivalent_stress(s), state), T(0.0), state.intact);
-      state.stress = select(state.intact > 0.0, state.stress, SymmetricTensor<T>{});
+    if constexpr (requires { failure.fails(p, state); }) {
+      const auto fails = detail::fails_now<Failure, T>(failure, state, equivalent_stress(s), strain_old, dt);
+      if constexpr (requires { state.intact; }) {
+        state.intact = select(fails, T(0.0), state.intact);
+        state.stress = select(state.intact > 0.0, state.stress, SymmetricTensor<T>{});
+      } else {
+        state.solid = select(fails, T(0.0), state.solid);
+        state.stress = select(state.solid > 0.0, state.stress, SymmetricTensor<T>::isotropic(-max(p, T(0.0))));
+      }
     }
     return state.stress;
   }
