@@ -18,7 +18,9 @@
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/cowper_symonds.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/kinematic_hardening.hpp>
 #include <strike/material/strength/power_hardening.hpp>
+#include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/von_mises.hpp>

@@ -24,7 +24,9 @@ static_assert(numbers<PlaneStress<Solid<LinearEos, PowerHardening, PrincipalStre
 TEST_CASE("conformance: Solid of PowerHardening and JohnsonCookFailure") { conforms(Solid{linear, power, damage}); }
 TEST_CASE("conformance: Solid of TabulatedHardening") { conforms(Solid{linear, table}); }
 TEST_CASE("conformance: Solid of ZerilliArmstrong") { conforms(Solid{linear, zerilli_armstrong}); }
-TEST_CASE("conformance: Solid of ElasticStrength and TulerButcher") { conforms(Solid{linear, elastic_strength, delayed}); }
+TEST_CASE("conformance: Solid of ElasticStrength and TulerButcher") {
+  conforms(Solid{linear, elastic_strength, delayed});
+}
 TEST_CASE("conformance: PlaneStress of ElasticStrength and PrincipalStress") {
   conforms(PlaneStress{Solid{linear, elastic_strength, brittle}});
 }

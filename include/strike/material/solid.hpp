@@ -36,7 +36,13 @@ struct Solid {
   struct State : EosState<Eos, T>, StrengthState<S, T>, Failure::template State<T> {
     SymmetricTensor<T> stress{};  ///< Cauchy
 
-    auto spatial_tensors() { return std::tie(stress); }
+    auto spatial_tensors() {
+      using Memory = StrengthState<S, T>;
+      if constexpr (requires(Memory memory) { memory.spatial_tensors(); })
+        return std::tuple_cat(std::tie(stress), Memory::spatial_tensors());
+      else
+        return std::tie(stress);
+    }
   };
 
   double density() const { return eos.density; }
@@ -60,7 +66,7 @@ struct Solid {
     const T dv = volume_increment<T>(J, dt * trace(D));
 
     [[maybe_unused]] const T strain_old = detail::plastic_strain<T>(state);
-    const SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt);
+    const SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt, J);
     const T deviatoric_work = (J - 0.5 * dv) * (0.5 * double_dot(s_old + s, d));
     const T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
     state.stress = s - SymmetricTensor<T>::isotropic(p);
