@@ -3,8 +3,10 @@
 #include <strike/material/eos/cubic.hpp>
 #include <strike/material/eos/gruneisen.hpp>
 #include <strike/material/eos/ideal_gas.hpp>
+#include <strike/material/eos/jwl.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/explosive.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/failure/johnson_cook_failure.hpp>
 #include <strike/material/failure/principal_stress.hpp>
