@@ -21,6 +21,7 @@
 #include <strike/material/strength/cowper_symonds.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/kinematic_hardening.hpp>
+#include <strike/material/strength/mooney_rivlin.hpp>
 #include <strike/material/strength/power_hardening.hpp>
 #include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>

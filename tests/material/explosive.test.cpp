@@ -28,7 +28,7 @@ constexpr double D = 6930, p_CJ = 21e9, width = .01;
 static_assert(SolidMaterial<Explosive<Jwl, DetonationPoint>>);
 
 TEST_CASE("explosive: it burns when the front comes by, over the width of the front, and stays burnt") {
-  const Explosive tnt{products, DetonationPoint{{1, 2, 3}, 1e-5}, D, width};
+  const Explosive tnt{products, DetonationPoint{{1, 2, 3}, 1e-5}, {D, width}};
   Explosive<Jwl, DetonationPoint>::State<double> state;
   tnt.begin(state, Vector3<double>{1, 5, 7});
   CHECK(state.time_since_lit == Approx(-1e-5 - 5 / D).epsilon(1e-14));
@@ -49,7 +49,7 @@ TEST_CASE("explosive: it burns when the front comes by, over the width of the fr
 }
 
 TEST_CASE("explosive: compression burns it, all at the volume of Chapman and Jouguet") {
-  const Explosive tnt{products, DetonationPoint{{0, 0, 0}, 1.0}, D, width, p_CJ};
+  const Explosive tnt{products, DetonationPoint{{0, 0, 0}, 1.0}, {D, width, p_CJ}};
   const double V_CJ = 1 - p_CJ / (1630 * D * D);
   MaterialPoint point{tnt};
   double p = 0;
@@ -66,7 +66,7 @@ TEST_CASE("explosive: compression burns it, all at the volume of Chapman and Jou
 TEST_CASE("explosive: an element tells the material where it lies") {
   Nodal<double, 8> x;
   for (int i = 0; i < 8; ++i) x.col(i) = Vector3<double>{4. + ((i + 1) / 2 % 2), i / 2 % 2 * 1., i / 4 * 1.};
-  const Explosive tnt{products, DetonationPlane{{0, 0, 0}, {1, 0, 0}}, D, width};
+  const Explosive tnt{products, DetonationPlane{{0, 0, 0}, {1, 0, 0}}, {D, width}};
   Hex8<>::State<Explosive<Jwl, DetonationPlane>, double> state;
   Hex8{}.begin(state, tnt, x);
   CHECK(state.material.time_since_lit == Approx(-4.5 / D).epsilon(1e-14));
@@ -75,7 +75,7 @@ TEST_CASE("explosive: an element tells the material where it lies") {
 // It gives energy and its pressure grows while it burns, as no other material may; the other laws it obeys.
 TEST_CASE("conformance: Explosive of Jwl") {
   const testing::Drive drive;
-  const Explosive tnt{products, DetonationPoint{{0, 0, 0}, 5e-6}, D, 20e-6 * D, p_CJ};
+  const Explosive tnt{products, DetonationPoint{{0, 0, 0}, 5e-6}, {D, 20e-6 * D, p_CJ}};
   testing::lanes_agree<Pack<double, 8>>(tnt, drive);
   testing::lanes_agree<Pack<float, 16>>(tnt, drive);
   testing::bounds_its_tangent(tnt, drive);

@@ -39,7 +39,9 @@ TEST_CASE("a slab of TNT detonates from its rigid end: front, pressure behind it
   const double h = 1e-3;
   const Mesh mesh = column(N, N * h, h);
   const std::vector<Index> all = all_nodes(mesh.nodes);
-  const Explosive tnt{eos, DetonationPlane{{0, 0, 0}, {1, 0, 0}}, D, 4 * h, p_CJ};
+  const Explosive tnt{eos,
+                      DetonationPlane{{0, 0, 0}, {1, 0, 0}},
+                      {.detonation_velocity = D, .front_width = 4 * h, .pressure_CJ = p_CJ}};
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, tnt, mesh.hexahedra}, Symmetry{Axis::x, section(mesh, 0)},
                      Symmetry{Axis::y, all}, Symmetry{Axis::z, all}}};
   const auto pressure = [&] { return run.thing<0>().field([](const auto& state) { return state.pressure; }); };

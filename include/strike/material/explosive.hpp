@@ -1,5 +1,6 @@
 #pragma once
-#include <cmath>
+#include <limits>
+#include <utility>
 
 #include <strike/material/eos/eos.hpp>
 #include <strike/material/material.hpp>
@@ -30,6 +31,12 @@ struct DetonationPlane {
   }
 };
 
+struct Burn {
+  double detonation_velocity;  ///< D
+  double front_width;          ///< w [length]
+  double pressure_CJ = 0;      ///< p_CJ; 0: it burns by the program alone
+};
+
 /// An explosive that burns as programmed (Wilkins 1964; LS-DYNA *MAT_HIGH_EXPLOSIVE_BURN): the pressure is F times that
 /// of its products,
 ///   F = max(D (t - t0)/w, (1 - V)/(1 - V_CJ)), from 0 to 1 and never back,
@@ -37,14 +44,13 @@ struct DetonationPlane {
 /// 3 to 6 elements. The second term, what compression burns, is there if the pressure of Chapman and Jouguet is given:
 /// V_CJ = 1 - p_CJ/(rho0 D^2), and carries the front where the program would have it late. What is not lit resists
 /// nothing.
-///   Explosive{tnt, DetonationPoint{{0, 0, 0}}, 6930, 0.01, 21e9}
+///   Explosive{tnt, DetonationPoint{{0, 0, 0}}, {.detonation_velocity = 6930, .front_width = 0.01, .pressure_CJ =
+///   21e9}}
 template <ThermalEquationOfState Eos, class Ignition>
 struct Explosive {
   Eos products;
   Ignition ignition;
-  double detonation_velocity;  ///< D
-  double front_width;          ///< w [length]
-  double pressure_CJ = 0;      ///< p_CJ; 0: it burns by the program alone
+  Burn burn;
 
   using Kinematics = SolidKinematics;
 
@@ -67,7 +73,7 @@ struct Explosive {
   template <class T>
   void begin(State<T>& state, const Vector3<T>& place) const {
     begin(state);
-    state.time_since_lit -= (1 / detonation_velocity) * ignition.distance(place);
+    state.time_since_lit -= (1 / burn.detonation_velocity) * ignition.distance(place);
   }
 
   template <class T>
@@ -75,8 +81,8 @@ struct Explosive {
     const T& J = rate.relative_volume;
     const T dv = volume_increment<T>(J, dt * trace(rate.rate_of_deformation)), mu = 1.0 / J - 1.0;
     state.time_since_lit += dt;
-    T burnt = max(state.burnt, (detonation_velocity / front_width) * state.time_since_lit);
-    if (pressure_CJ > 0) burnt = max(burnt, burn_by_compression() * (1.0 - J));
+    T burnt = max(state.burnt, (burn.detonation_velocity / burn.front_width) * state.time_since_lit);
+    if (burn.pressure_CJ > 0) burnt = max(burnt, burn_by_compression() * (1.0 - J));
     state.burnt = min(T(1.0), burnt);
 
     // as advance_pressure, with F A and F B
@@ -97,19 +103,18 @@ struct Explosive {
     const T& J = rate.relative_volume;
     const T mu = 1.0 / J - 1.0, p = products.A(mu) + products.B(mu) * state.internal_energy;
     const T K = strike::bulk_modulus(products, state, J, p);
-    const double burning = pressure_CJ > 0 ? burn_by_compression() : 0;
+    const double burning = burn.pressure_CJ > 0 ? burn_by_compression() : 0;
     return {K + select(state.burnt < 1.0, burning * J * max(p, T(0.0)), T(0.0)), T(0.0)};
   }
 
  private:
   /// 1/(1 - V_CJ).
   double burn_by_compression() const {
-    return products.density * detonation_velocity * detonation_velocity / pressure_CJ;
+    const double D = burn.detonation_velocity;
+    return products.density * D * D / burn.pressure_CJ;
   }
 };
 template <class Eos, class Ignition>
-Explosive(Eos, Ignition, double, double) -> Explosive<Eos, Ignition>;
-template <class Eos, class Ignition>
-Explosive(Eos, Ignition, double, double, double) -> Explosive<Eos, Ignition>;
+Explosive(Eos, Ignition, Burn) -> Explosive<Eos, Ignition>;
 
 }  // namespace strike

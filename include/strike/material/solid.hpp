@@ -91,8 +91,8 @@ struct Solid {
   template <class T>
   Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
     const T pressure = (-1.0 / 3.0) * trace(state.stress);
-    return {strike::bulk_modulus<Eos, State<T>, T>(eos, state, felt(state, rate).relative_volume, pressure),
-            T(strength.shear_modulus)};
+    const T J = felt(state, rate).relative_volume;
+    return {strike::bulk_modulus<Eos, State<T>, T>(eos, state, J, pressure), shear_modulus(state, J)};
   }
 
   template <class T>
@@ -100,6 +100,14 @@ struct Solid {
   T intact(const State<T>& state) const { return state.intact; }
 
  private:
+  template <class T>
+  T shear_modulus(const State<T>& state, const T& J) const {
+    if constexpr (requires { strength.stiffness(state, J); })
+      return strength.stiffness(state, J);
+    else
+      return (void)state, (void)J, T(strength.shear_modulus);
+  }
+
   /// What has failed feels no motion, however wild.
   template <class T>
   static decltype(auto) felt(const State<T>& state, const SolidKinematics::Rate<T>& rate) {

@@ -36,7 +36,8 @@ template <class S>
 concept FlowLaw = RateIndependentFlow<S> || RateDependentFlow<S> || ThermalFlow<S>;
 
 /// A model of its own that remembers something, in a `State<T>` whose `spatial_tensors()`, if it has them, are turned:
-/// `deviatoric_stress(state, s, d, J, dt)`, where J = V/V0.
+/// `deviatoric_stress(state, s, d, J, dt)`, where J = V/V0; and if its tangent may exceed its `shear_modulus`, the
+/// bound `stiffness(state, J)`.
 template <class S>
 concept StrengthWithMemory = requires(const S strength, typename S::template State<double> state,
                                       const SymmetricTensor<double> s) {
