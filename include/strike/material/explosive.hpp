@@ -31,21 +31,18 @@ struct DetonationPlane {
   }
 };
 
+/// How a detonation is programmed.
 struct Burn {
   double detonation_velocity;  ///< D
-  double front_width;          ///< w [length]
-  double pressure_CJ = 0;      ///< p_CJ; 0: it burns by the program alone
+  double front_width;          ///< w, over which the front is spread: 3 to 6 elements [length]
+  double pressure_CJ = 0;      ///< p_CJ of Chapman and Jouguet; 0: compression burns nothing
 };
 
-/// An explosive that burns as programmed (Wilkins 1964; LS-DYNA *MAT_HIGH_EXPLOSIVE_BURN): the pressure is F times that
-/// of its products,
-///   F = max(D (t - t0)/w, (1 - V)/(1 - V_CJ)), from 0 to 1 and never back,
-/// where t0 is when the front comes by, at the speed D from where it starts, and w the length over which it is spread:
-/// 3 to 6 elements. The second term, what compression burns, is there if the pressure of Chapman and Jouguet is given:
-/// V_CJ = 1 - p_CJ/(rho0 D^2), and carries the front where the program would have it late. What is not lit resists
-/// nothing.
-///   Explosive{tnt, DetonationPoint{{0, 0, 0}}, {.detonation_velocity = 6930, .front_width = 0.01, .pressure_CJ =
-///   21e9}}
+/// An explosive (Wilkins 1964; LS-DYNA *MAT_HIGH_EXPLOSIVE_BURN): the pressure is F times that of its products,
+///   F = max(D (t - t0)/w, (1 - V)/(1 - V_CJ)),  V_CJ = 1 - p_CJ/(rho0 D^2),  from 0 to 1 and never back.
+/// t0 is when the front comes by from where it starts; the second term is what compression burns. What is not lit yet
+/// resists nothing.
+///   Explosive{tnt, DetonationPoint{{0, 0, 0}}, Burn{.detonation_velocity = 6930, .front_width = 0.01}}
 template <ThermalEquationOfState Eos, class Ignition>
 struct Explosive {
   Eos products;
@@ -97,7 +94,7 @@ struct Explosive {
     return SymmetricTensor<T>::isotropic(-state.pressure);
   }
 
-  /// That of the products, whether they are there yet or not; and what burning adds: -J dp/dJ = J p/(1 - V_CJ).
+  /// Bounds: that of the products, whether they are there yet or not, and what burning adds, J p/(1 - V_CJ).
   template <class T>
   Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
     const T& J = rate.relative_volume;

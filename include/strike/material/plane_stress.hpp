@@ -15,7 +15,7 @@ namespace strike {
 namespace detail {
 
 template <class Failure>
-inline constexpr bool is_becomes_fluid = requires(typename Failure::template State<double> state) {
+inline constexpr bool leaves_fluid = requires(typename Failure::template State<double> state) {
   state.solid;
 };
 
@@ -34,8 +34,9 @@ struct LinearSolid<Elastic> {
   }
 };
 template <class Law, class Failure>
-requires((FlowLaw<Law> || std::same_as<Law, ElasticStrength>)&&!is_becomes_fluid<Failure>) struct LinearSolid<
-    Solid<LinearEos, Law, Failure>> {
+requires(
+    (FlowLaw<Law> ||
+     std::same_as<Law, ElasticStrength>)&&!leaves_fluid<Failure>) struct LinearSolid<Solid<LinearEos, Law, Failure>> {
   static constexpr bool is = true;
   using Parts = Solid<LinearEos, Law, Failure>;
   static const Parts& parts(const Parts& solid) { return solid; }
@@ -56,7 +57,7 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
   using D = Dual<T, 1>;
   using Real = RealOf<T>;
   constexpr double epsilon = std::numeric_limits<Real>::epsilon();
-  constexpr double least = sizeof(Real) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
+  constexpr double least = least_square<T>;
   const double G3 = 3.0 * law.shear_modulus;
   if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); }) {
     // f = 1 - p [kappa + (1 - kappa) t(Q(p))] = 0 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa, by Householder's steps

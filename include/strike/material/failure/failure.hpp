@@ -30,12 +30,12 @@ struct Damage {
   T damage{};  ///< from 0 to 1, when it fails
 };
 struct NoDamage {};
-/// What a criterion gathers.
-template <class F, class T>
-using DamageOf = std::conditional_t < requires(typename F::template State<T> state) {
+template <class F>
+inline constexpr bool gathers_damage = requires(typename F::template State<double> state) {
   state.damage;
-}
-, Damage<T>, NoDamage > ;
+};
+template <class F, class T>
+using DamageOf = std::conditional_t<gathers_damage<F>, Damage<T>, NoDamage>;
 
 /// 0 of what does not flow.
 template <class T, class State>

@@ -1,6 +1,4 @@
 #pragma once
-#include <limits>
-#include <string>
 #include <tuple>
 
 #include <strike/tensor/tensor.hpp>
@@ -29,11 +27,10 @@ struct KinematicHardening {
   template <class T>
   SymmetricTensor<T> deviatoric_stress(State<T>& state, const SymmetricTensor<T>& s, const SymmetricTensor<T>& d,
                                        const T&, double) const {
-    constexpr double least = sizeof(RealOf<T>) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
     auto& [e, a] = state;
     const double G3 = 3 * shear_modulus, H = hardening_modulus, b = isotropic_share;
     const SymmetricTensor<T> trial = s + T(2 * shear_modulus) * d, from_centre = trial - a;
-    const T q2 = max(T(least), 1.5 * double_dot(from_centre, from_centre)), per_q = rsqrt(q2);
+    const T q2 = max(T(detail::least_square<T>), 1.5 * double_dot(from_centre, from_centre)), per_q = rsqrt(q2);
     const T dl = (1 / (G3 + H)) * max(T(0.0), q2 * per_q - (yield_stress + (b * H) * e));
     e += dl;
     a += ((1 - b) * H * dl * per_q) * from_centre;

@@ -12,6 +12,7 @@ namespace strike {
 ///   G(t) = G0 [1 - sum g_k (1 - exp(-t/t_k))]
 /// and the part of each element is integrated exactly for the rate of the step, whatever dt/t_k (Taylor, Pister and
 /// Goudreau 1970): h <- exp(-dt/t_k) h + 2 G0 g_k (1 - exp(-dt/t_k))/(dt/t_k) d.
+/// After a quick load and unload it recovers: held still, its stress then grows towards that of the spring.
 ///   Prony<2> pvb{.shear_modulus = G0, .terms = {{.share = .9, .time = 1e-3}, {.share = .09, .time = 1}}};
 template <std::size_t n>
 struct Prony {

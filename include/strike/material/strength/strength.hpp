@@ -179,8 +179,7 @@ SymmetricTensor<T> advance_deviator(const S& law, State& state, const SymmetricT
                                     [[maybe_unused]] const std::type_identity_t<T>& J = T(1.0)) {
   if constexpr (FlowLaw<S>) {
     const SymmetricTensor<T> trial = s + T(2.0 * law.shear_modulus) * d;
-    constexpr double least = sizeof(RealOf<T>) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
-    const T q_squared = max(T(least), 1.5 * double_dot(trial, trial));
+    const T q_squared = max(T(detail::least_square<T>), 1.5 * double_dot(trial, trial));
     const T per_q = rsqrt(q_squared), q = q_squared * per_q;
     const T dl = plastic_increment<S, T>(law, state, q, dt), relaxed = 3.0 * law.shear_modulus * dl;
     state.equivalent_plastic_strain += dl;
