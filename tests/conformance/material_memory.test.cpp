@@ -42,6 +42,3 @@ TEST_CASE("conformance: Solid of LinearEos, KinematicHardening and FailureStrain
   conforms(Solid{linear, kinematic, FailureStrain{.failure_strain = 1}});
 }
 TEST_CASE("conformance: ZeroNormalStress of LinearEos and Prony") { conforms(ZeroNormalStress{Solid{linear, prony}}); }
-TEST_CASE("conformance: ZeroNormalStress of LinearEos and KinematicHardening") {
-  conforms(ZeroNormalStress{Solid{linear, kinematic}});
-}

@@ -4,7 +4,6 @@
 #include <strike/element/hex8.hpp>
 #include <strike/material/eos/jwl.hpp>
 #include <strike/material/explosive.hpp>
-#include <strike/verify/material_point.hpp>
 
 #include "conformance/material.hpp"
 #include "support/catch.hpp"
@@ -51,16 +50,23 @@ TEST_CASE("explosive: it burns when the front comes by, over the width of the fr
 TEST_CASE("explosive: compression burns it, all at the volume of Chapman and Jouguet") {
   const Explosive tnt{products, DetonationPoint{{0, 0, 0}, 1.0}, {D, width, p_CJ}};
   const double V_CJ = 1 - p_CJ / (1630 * D * D);
-  MaterialPoint point{tnt};
-  double p = 0;
-  point.run(hydrostatic({.strain = std::log(V_CJ), .rate = 1e5, .steps = 200}), [&](const auto& now) {
-    CHECK(now.state.burnt == Approx(std::min(1.0, (1 - now.relative_volume()) / (1 - V_CJ))).epsilon(1e-12));
-    CHECK(-now.stress.xx > p);
-    p = -now.stress.xx;
-  });
-  CHECK(point.now().work == Approx(point.now().state.internal_energy - 7e9).epsilon(1e-6));
-  point.run(hydrostatic({.strain = .5, .rate = 1e5}));
-  CHECK(point.now().state.burnt == Approx(1).epsilon(1e-9));
+  Explosive<Jwl, DetonationPoint>::State<double> state;
+  tnt.begin(state);
+  double V = 1, p = 0, work = 0;
+  const double dt = 1e-8, theta = std::log(V_CJ) / 200;
+  for (int i = 0; i < 200; ++i) {
+    const double V_old = V, p_old = p;
+    V *= (1 + theta / 2) / (1 - theta / 2);
+    p = -tnt.stress(state, {SymmetricTensor<double>::isotropic(theta / (3 * dt)), V}, dt).xx;
+    work -= .5 * (p_old + p) * (V - V_old);
+    CHECK(state.burnt == Approx(std::min(1.0, (1 - V) / (1 - V_CJ))).epsilon(1e-12));
+    CHECK(p > p_old);
+    CHECK(state.internal_energy == Approx(7e9 + work).epsilon(1e-12));
+  }
+  const double burnt = state.burnt;
+  CHECK(burnt == Approx(1).epsilon(1e-5));
+  tnt.stress(state, {{}, 1.5}, dt);
+  CHECK(state.burnt == burnt);  // for good
 }
 
 TEST_CASE("explosive: an element tells the material where it lies") {
@@ -76,9 +82,7 @@ TEST_CASE("explosive: an element tells the material where it lies") {
 TEST_CASE("conformance: Explosive of Jwl") {
   const testing::Drive drive;
   const Explosive tnt{products, DetonationPoint{{0, 0, 0}, 5e-6}, {D, 20e-6 * D, p_CJ}};
-  testing::lanes_agree<Pack<double, 8>>(tnt, drive);
   testing::lanes_agree<Pack<float, 16>>(tnt, drive);
   testing::bounds_its_tangent(tnt, drive);
-  testing::bears_extremes<double>(tnt);
   testing::bears_extremes<Pack<float, 16>>(tnt);
 }

@@ -24,7 +24,7 @@ static_assert(sizeof(StrengthState<MooneyRivlin, double>) == 6 * sizeof(double))
 TEST_CASE("Mooney-Rivlin: pulled and pressed one way, sigma = 2 (l^2 - 1/l)(C10 + C01/l)") {
   for (const double strain : {1.0, -1.0}) {
     MaterialPoint point{rubber};
-    point.run(uniaxial_stress({.strain = strain, .steps = 1000}), [&](const auto& now) {
+    point.run(uniaxial_stress({.strain = strain, .steps = 300}), [&](const auto& now) {
       const double l = now.deformation_gradient(0, 0);
       const double exact = 2 * (l * l - 1 / l) * (C10 + C01 / l);
       CHECK(now.stress.xx == Approx(exact).epsilon(1e-3).margin(1e-6 * C10));
@@ -32,20 +32,19 @@ TEST_CASE("Mooney-Rivlin: pulled and pressed one way, sigma = 2 (l^2 - 1/l)(C10 
   }
 }
 
-TEST_CASE("Mooney-Rivlin: pulled two ways, sigma = 2 (l^2 - l^-4)(C10 + C01 l^2), in a solid and in a membrane") {
-  Segment segment{.duration = 1, .steps = 500, .stress = {.zz = 0}};
-  segment.velocity_gradient(0, 0) = segment.velocity_gradient(1, 1) = .7;
-  segment.velocity_gradient(2, 2) = -1.4;
-  const auto check = [&](auto material) {
-    MaterialPoint point{material};
-    point.run({{segment}}, [&](const auto& now) {
-      const double l2 = std::pow(now.deformation_gradient(0, 0), 2);
-      CHECK(now.stress.xx == Approx(2 * (l2 - 1 / (l2 * l2)) * (C10 + C01 * l2)).epsilon(1e-3));
-    });
-    CHECK(point.now().deformation_gradient(0, 0) == Approx(std::exp(.7)).epsilon(1e-6));
-  };
-  check(rubber);
-  check(ZeroNormalStress{rubber});
+TEST_CASE("Mooney-Rivlin: pulled two ways, sigma = 2 (l^2 - l^-4)(C10 + C01 l^2), in a membrane") {
+  const ZeroNormalStress membrane{rubber};  // which asks the solid until the stress across is none
+  decltype(membrane)::State<double> state;
+  membrane.begin(state);
+  const double step = 2e-3;
+  double l2 = 1;
+  for (int i = 0; i < 350; ++i) {
+    const auto sigma = membrane.stress(state, {{step, step, 0}}, 1.0);
+    l2 *= std::pow((1 + step / 2) / (1 - step / 2), 2);  // so that the step is the strain at its middle
+    const double exact = 2 * (l2 - 1 / (l2 * l2)) * (C10 + C01 * l2);
+    CHECK(sigma.xx == Approx(exact).epsilon(1e-3));
+    CHECK(sigma.yy == Approx(exact).epsilon(1e-3));
+  }
 }
 
 TEST_CASE("Mooney-Rivlin: in simple shear tau = 2 (C10 + C01) g, and normal stresses of its square") {
