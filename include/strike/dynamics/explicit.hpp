@@ -119,16 +119,16 @@ class Explicit {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i);
     return x;
   }
+  /// Whether all its things tell an archive what they remember.
+  template <class Archive>
+  static constexpr bool remembers() {
+    return (detail::Serializes<typename detail::Running<Things, Numbers, Nodes, Bound>::type, Archive> && ...);
+  }
   template <class Archive>
   void serialize(Archive& archive) {
     archive(nodes_, bound_, damping_, ledger_, energy_, step_, stable_, bounded_, smallest_step_, clock_);
     each([&](auto& thing) {
-      static_assert(
-          requires { thing.serialize(archive); },
-          "strike: a thing of this Scene does not tell a checkpoint what it remembers: give it template <class "
-          "Archive> "
-          "void serialize(Archive& archive) { archive(...); }, with empty braces if it remembers nothing.");
-      if constexpr (requires { thing.serialize(archive); }) archive(thing);
+      if constexpr (detail::Serializes<decltype(thing), Archive>) archive(thing);
     });
   }
   /// The i-th thing of the scene at work: a RunningPart, a load, a contact.

@@ -149,26 +149,44 @@ std::uint64_t fingerprint_of(Things&... things) {
   return fingerprint.value();
 }
 
+/// Whether all that belongs to it tells what it remembers; what does not gets one sentence.
+template <class Thing>
+constexpr bool remembers() {
+  if constexpr (requires { Thing::template remembers<Archive>(); }) {
+    constexpr bool all = Thing::template remembers<Archive>();
+    static_assert(all,
+                  "strike: a thing of this Scene does not tell a checkpoint what it remembers: give it template <class "
+                  "Archive> void serialize(Archive& archive) { archive(...); }, with empty braces if it remembers "
+                  "nothing.");
+    return all;
+  } else {
+    return true;
+  }
+}
+
 }  // namespace detail
 
 /// Writes what things remember (a run, its history and film, your own numbers; see Archive) into one file: whole, or
 /// what was there before stays. It has a version and a checksum.
 template <class... Things>
 void write_checkpoint(const std::string& path, Things&... things) {
-  detail::replace_file(path, [&](detail::OutputFile& file) {
-    detail::CheckpointWriter archive(file, detail::fingerprint_of(things...));
-    archive(things...);
-    archive.finish();
-  });
+  if constexpr ((detail::remembers<Things>() && ...))
+    detail::replace_file(path, [&](detail::OutputFile& file) {
+      detail::CheckpointWriter archive(file, detail::fingerprint_of(things...));
+      archive(things...);
+      archive.finish();
+    });
 }
 
 /// Puts the same things, made anew by the same program, where they were. Errors, before anything is changed: there is
 /// no such file, it is damaged, or of another scene.
 template <class... Things>
 void read_checkpoint(const std::string& path, Things&... things) {
-  detail::CheckpointReader archive(path, detail::fingerprint_of(things...));
-  archive(things...);
-  archive.finish();
+  if constexpr ((detail::remembers<Things>() && ...)) {
+    detail::CheckpointReader archive(path, detail::fingerprint_of(things...));
+    archive(things...);
+    archive.finish();
+  }
 }
 
 /// Whether a run begins where its checkpoint left it, if there is one.
@@ -208,10 +226,13 @@ class Checkpoint {
   template <class Run, class Observers>
   bool resume(Run& run, Observers observers) {
     start_clocks(run);
-    if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
-    with_all(run, observers, [&](auto&... things) { read_checkpoint(path_, things...); });
-    start_clocks(run);
-    return true;
+    if constexpr (detail::remembers<Run>()) {
+      if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
+      with_all(run, observers, [&](auto&... things) { read_checkpoint(path_, things...); });
+      start_clocks(run);
+      return true;
+    }
+    return false;
   }
   /// After each step, when the other observers have seen it.
   template <class Run, class Observers>
