@@ -1,7 +1,11 @@
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
+#include <strike/material/eos/linear.hpp>
+#include <strike/material/plane_stress.hpp>
+#include <strike/material/solid.hpp>
 #include <strike/material/strength/cowper_symonds.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/strength.hpp>
@@ -65,6 +69,24 @@ TEST_CASE("tabulated hardening: two points are linear hardening, and with Cowper
     const StrengthState<CowperSymonds<TabulatedHardening>, double> state{.01};
     CHECK(std::abs(plastic_increment<CowperSymonds<TabulatedHardening>, double>(rated, state, q, 1e-7) -
                    closed.plastic_increment(q, .01, 1e-7)) < 1e-14 * q / (3 * G));
+  }
+}
+
+TEST_CASE("tabulated hardening: in plane stress too every step ends on the table, however many points it passes") {
+  const TabulatedHardening law{G, {{0, 90e6}, {.001, 150e6}, {.002, 155e6}, {.003, 220e6}, {.01, 180e6}, {.3, 310e6}}};
+  const PlaneStress sheet{Solid{LinearEos{.density = 1, .bulk_modulus = 160e9}, law}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto u = [&] { return unit(random); };
+  for (int path = 0; path < 500; ++path) {
+    decltype(sheet)::State<double> state;
+    for (int i = 0; i < 5; ++i) {
+      const double e = state.equivalent_plastic_strain, size = std::pow(10, -3 + u());
+      sheet.stress(state, {{size * u(), size * u(), size * u()}}, 1.0);
+      if (state.equivalent_plastic_strain > e)
+        CHECK(equivalent_stress(state.stress) ==
+              Approx(law.flow_stress(state.equivalent_plastic_strain)).epsilon(5e-14));
+    }
   }
 }
 
