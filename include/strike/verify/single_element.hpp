@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -143,6 +144,7 @@ class SingleElement {
   }
 
   const Record& now() const { return record_; }
+  const M& material() const { return material_; }
   const auto& state() const { return state_; }
   double nodal_mass() const { return mass_; }
   double nodal_inertia() const { return mass_ * gyration_squared_; }
@@ -310,5 +312,28 @@ inline Nodal<double, 8> unit_cube() {
 
 /// Corners of the square [0, 1]^2 in the plane z = 0.
 inline Nodal<double, 4> unit_square() { return unit_cube().leftCols<4>(); }
+
+/// Corners of the tetrahedron with three unit edges along the axes.
+inline Nodal<double, 4> unit_tetrahedron() {
+  Nodal<double, 4> x;
+  x << 0, 1, 0, 0,  //
+      0, 0, 1, 0,   //
+      0, 0, 0, 1;
+  return x;
+}
+
+/// The undistorted corners of an element of unit size, where its kind and the number of its nodes tell them.
+template <class E>
+Nodal<double, E::nodes> unit_corners() {
+  constexpr bool plate = std::same_as<typename E::Kinematics, PlateKinematics>;
+  static_assert(E::nodes == 4 || (E::nodes == 8 && !plate),
+                "strike: the undistorted shape of this element is not known: give its corners.");
+  if constexpr (E::nodes == 8)
+    return unit_cube();
+  else if constexpr (plate)
+    return unit_square();
+  else
+    return unit_tetrahedron();
+}
 
 }  // namespace strike
