@@ -27,12 +27,11 @@ inline const char* to_string(ModeKind kind) {
 }
 
 /// A free vibration of an element alone.
-template <class E>
 struct Eigenmode {
   ModeKind kind;
-  double frequency;                 ///< w [rad/time], of K phi = w^2 M phi
-  double decay;                     ///< d = phi.C phi/m [1/time], what the element's viscosity takes from it
-  Nodal<double, motions<E>> shape;  ///< of length 1; rotations as lengths, the radius of gyration times the angle
+  double frequency;        ///< w [rad/time], of K phi = w^2 M phi
+  double decay;            ///< d = phi.C phi/m [1/time], what the element's viscosity takes from it
+  Eigen::Matrix3Xd shape;  ///< `motions` columns, of length 1 in all; rotations as in ElementVibration
 
   /// The largest stable step of this mode alone: w^2 dt^2/4 + d dt/2 = 1.
   double critical_step() const {
@@ -41,130 +40,163 @@ struct Eigenmode {
 };
 
 /// The motions that an element must know whatever its shape, a column each, in the coordinates of ElementVibration.
-template <class E>
 struct UniformMotions {
-  static constexpr bool plate = std::same_as<typename E::Kinematics, PlateKinematics>;
-  static constexpr int strains = plate ? 8 : 6;
   Eigen::MatrixXd rigid;      ///< three translations and three rotations
   Eigen::MatrixXd straining;  ///< without rotation: strains xx, yy, zz, xy, yz, zx; of a plate membrane and curvature
                               ///< xx, yy, xy, and shear xz, yz, in the plane of its vector area
   double thickness;           ///< of a plate; its curvatures are in units of 1/thickness
+};
 
-  /// Of nodes at the positions x with this radius of gyration; a plate has a thickness too.
-  UniformMotions(const Nodal<double, E::nodes>& x, double gyration, double thickness_of_plate)
-      : rigid(3 * motions<E>, 6), straining(3 * motions<E>, strains), thickness(thickness_of_plate) {
-    const Eigen::Vector3d middle = x.rowwise().mean();
-    const auto set = [&](auto column, const auto& velocity, const auto& turn) {
-      for (int i = 0; i < motions<E>; ++i) {
-        const Eigen::Vector3d d = x.col(i % E::nodes) - middle;
-        column.template segment<3>(3 * i) = i < E::nodes ? velocity(d) : Eigen::Vector3d(gyration * turn(d));
-      }
-    };
-    using V = Eigen::Vector3d;
-    const auto none = [](const V&) -> V { return V::Zero(); };
+namespace detail {
+
+/// Columns of motions v = a + L d - e3 d.k d/2, w = b + W d of nodes at the places d. (A template, so that a program
+/// compiles it if it asks for it.)
+template <class T>
+class MotionColumns {
+ public:
+  using V = Eigen::Matrix<T, 3, 1>;
+  using A = Eigen::Matrix<T, 3, 3>;
+  struct Motion {
+    V a = V::Zero(), b = V::Zero(), e3 = V::Zero();
+    A L = A::Zero(), W = A::Zero(), k = A::Zero();
+  };
+
+  /// Nodes with a radius of gyration turn.
+  MotionColumns(const Eigen::Matrix3Xd& x, double gyration)
+      : d_(x.colwise() - x.rowwise().mean()), gyration_(gyration) {}
+
+  Eigen::VectorXd operator()(const Motion& m) const {
+    const Eigen::Index n = d_.cols();
+    Eigen::VectorXd column(gyration_ > 0 ? 6 * n : 3 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const V d = d_.col(i), v = m.a + m.L * d - V(T(0.5) * d.dot(V(m.k * d)) * m.e3);
+      column.template segment<3>(3 * i) = v;
+      if (gyration_ > 0) column.template segment<3>(3 * (n + i)) = gyration_ * V(m.b + m.W * d);
+    }
+    return column;
+  }
+
+  UniformMotions uniform(double thickness) const {
+    const bool plate = gyration_ > 0;
+    const Eigen::Index rows = (plate ? 6 : 3) * d_.cols();
+    UniformMotions all{Eigen::MatrixXd(rows, 6), Eigen::MatrixXd(rows, plate ? 8 : 6), thickness};
     for (int k = 0; k < 3; ++k) {
-      const V e = V::Unit(k);
-      set(
-          rigid.col(k), [&](const V&) -> V { return e; }, none);
-      set(
-          rigid.col(3 + k), [&](const V& d) -> V { return e.cross(d); }, [&](const V&) -> V { return e; });
+      all.rigid.col(k) = (*this)({.a = V::Unit(k)});
+      all.rigid.col(3 + k) = (*this)({.b = V::Unit(k), .L = cross_matrix(V::Unit(k))});
     }
-    if constexpr (plate) {
-      const Eigen::Matrix3d e = frame(x);
-      const V normal = e.col(2);
-      for (int k = 0; k < 3; ++k) {
-        Eigen::Matrix3d local = Eigen::Matrix3d::Zero();
-        k < 2 ? local(k, k) = 1 : local(0, 1) = local(1, 0) = 1;
-        const Eigen::Matrix3d D = e * local * e.transpose(), curvature = D / thickness;
-        set(
-            straining.col(k), [&](const V& d) -> V { return D * d; }, none);
-        set(
-            straining.col(3 + k), [&](const V& d) -> V { return -0.5 * d.dot(curvature * d) * normal; },
-            [&](const V& d) -> V { return normal.cross(V(curvature * d)); });
-      }
-      for (int k = 0; k < 2; ++k) {
-        const V along = e.col(k);
-        set(
-            straining.col(6 + k), [&](const V& d) -> V { return along.dot(d) * normal; }, none);
-      }
-    } else {
-      constexpr int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
-      for (int k = 0; k < 6; ++k) {
-        Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
-        D(pairs[k][0], pairs[k][1]) = D(pairs[k][1], pairs[k][0]) = 1;
-        set(
-            straining.col(k), [&](const V& d) -> V { return D * d; }, none);
-      }
+    if (!plate) {
+      for (int k = 0; k < 6; ++k) all.straining.col(k) = (*this)({.L = unit_strain(k % 3, k < 3 ? k : (k + 1) % 3)});
+      return all;
     }
+    V area = V::Zero();
+    for (Eigen::Index i = 0; i < d_.cols(); ++i) area += V(d_.col(i)).cross(V(d_.col((i + 1) % d_.cols())));
+    const V e3 = area.normalized(), e1 = e3.unitOrthogonal(), e2 = e3.cross(e1);
+    A e;
+    e << e1, e2, e3;
+    for (int k = 0; k < 3; ++k) {
+      const A D = e * unit_strain(k % 2, k > 0 ? 1 : 0) * e.transpose(), curvature = D / thickness;
+      all.straining.col(k) = (*this)({.L = D});
+      all.straining.col(3 + k) = (*this)({.e3 = e3, .W = cross_matrix(e3) * curvature, .k = curvature});
+    }
+    all.straining.col(6) = (*this)({.L = e3 * e1.transpose()});
+    all.straining.col(7) = (*this)({.L = e3 * e2.transpose()});
+    return all;
   }
 
  private:
-  /// Two directions in the plane of a ring of nodes, and its normal, that of the vector area.
-  static Eigen::Matrix3d frame(const Nodal<double, E::nodes>& x) {
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    for (int i = 0; i < E::nodes; ++i)
-      area += Eigen::Vector3d(x.col(i)).cross(Eigen::Vector3d(x.col((i + 1) % E::nodes)));
-    Eigen::Matrix3d e;
-    e.col(2) = area.normalized(), e.col(0) = e.col(2).unitOrthogonal();
-    e.col(1) = Eigen::Vector3d(e.col(2)).cross(Eigen::Vector3d(e.col(0)));
-    return e;
+  static A cross_matrix(const V& a) {
+    A W;
+    W << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return W;
   }
+  static A unit_strain(int i, int j) {
+    A D = A::Zero();
+    D(i, j) = D(j, i) = 1;
+    return D;
+  }
+
+  Eigen::Matrix3Xd d_;
+  double gyration_;
 };
 
+/// The columns made orthogonal to each other and to those of the orthonormal `others`, and of length 1 (Gram and
+/// Schmidt, twice).
+template <class T>
+Eigen::MatrixX<T> orthonormal(Eigen::MatrixX<T> columns, const Eigen::MatrixX<T>& others) {
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    for (int twice = 0; twice < 2; ++twice) {
+      for (Eigen::Index i = 0; i < others.cols(); ++i)
+        columns.col(k) -= others.col(i).dot(columns.col(k)) * others.col(i);
+      for (Eigen::Index i = 0; i < k; ++i) columns.col(k) -= columns.col(i).dot(columns.col(k)) * columns.col(i);
+    }
+    columns.col(k).normalize();
+  }
+  return columns;
+}
+
+/// The modes of nodes at x that move, and turn if there are as many motions more.
+template <class T>
+std::vector<Eigenmode> eigenmodes(const ElementVibration<T>& vibration, const UniformMotions& uniform,
+                                  const Eigen::Matrix3Xd& x) {
+  using Matrix = Eigen::MatrixX<T>;
+  const Matrix &K = vibration.stiffness, &C = vibration.damping;
+  const Eigen::Index n = x.cols(), m = K.rows() / 3;
+  const Matrix R = orthonormal<T>(uniform.rigid, Matrix(3 * m, 0)), U = orthonormal<T>(uniform.straining, R);
+
+  // Springs between the nodes that grow from x to z, so weak that they only choose among equals.
+  const double size = (x.colwise() - x.rowwise().mean()).norm();
+  Matrix choice = 2 * (U * U.transpose() - R * R.transpose());
+  for (Eigen::Index i = 0; i < m; ++i)
+    for (Eigen::Index j = i % n == i ? 0 : n; j < (i % n == i ? n : m); ++j) {
+      const Eigen::Vector3d d = (x.col(i % n) - x.col(j % n)).cwiseAbs() / size;
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        const double spring = 0.01 * (d.x() + 2 * d.y() + 3 * d.z()) * (1 + 0.3 * static_cast<double>(k));
+        choice(3 * i + k, 3 * i + k) += spring, choice(3 * i + k, 3 * j + k) -= spring;
+      }
+    }
+  const Matrix chosen = K + (1e-7 * K.norm()) * choice;
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(chosen);
+
+  std::vector<Eigenmode> modes;
+  for (Eigen::Index k = 0; k < 3 * m; ++k) {
+    const Eigen::VectorX<T> phi = solver.eigenvectors().col(k), K_phi = K * phi, C_phi = C * phi;
+    const double rigid = Eigen::VectorX<T>(R.transpose() * phi).squaredNorm(),
+                 straining = Eigen::VectorX<T>(U.transpose() * phi).squaredNorm();
+    const double w2 = phi.dot(K_phi) / vibration.mass, zero = 1e-10 * K.norm() / vibration.mass;  // the rounding of K
+    modes.push_back({rigid > 0.5       ? ModeKind::rigid
+                     : straining > 0.5 ? ModeKind::straining
+                                       : ModeKind::hourglass,
+                     std::abs(w2) > zero ? std::sqrt(std::abs(w2)) : 0, std::max(0.0, phi.dot(C_phi) / vibration.mass),
+                     Eigen::Map<const Eigen::Matrix3Xd>(phi.data(), 3, m)});
+  }
+  std::stable_sort(modes.begin(), modes.end(),
+                   [](const auto& a, const auto& b) { return a.frequency < b.frequency * (1 - 1e-6); });
+  return modes;
+}
+
+template <class T>
+T uniform_strain_error(const Eigen::MatrixX<T>& K, const Eigen::MatrixX<T>& U, const Eigen::MatrixX<T>& exact) {
+  const Eigen::MatrixX<T> found = U.transpose() * K * U;
+  return (found - exact).norm() / exact.norm();
+}
+
+}  // namespace detail
+
 template <class E, class M>
-UniformMotions<E> uniform_motions(const SingleElement<E, M>& single) {
+UniformMotions uniform_motions(const SingleElement<E, M>& single) {
   double gyration = 0, thickness = 0;
   if constexpr (turns_nodes<E>()) {
     gyration = std::sqrt(single.nodal_inertia() / single.nodal_mass());
     thickness = single.material().thickness();
   }
-  return {single.now().x, gyration, thickness};
+  return detail::MotionColumns<double>(single.now().x, gyration).uniform(thickness);
 }
 
 /// The free vibrations of an element where it stands, in ascending frequency. Among shapes of one frequency, those are
 /// taken that are rigid, straining or hourglass and that go along the axes.
 template <class E, class M>
-std::vector<Eigenmode<E>> eigenmodes(const SingleElement<E, M>& single) {
-  constexpr int m = motions<E>;
-  const auto vibration = single.vibration();
-  const auto uniform = uniform_motions(single);
-  Eigen::MatrixXd both(3 * m, uniform.rigid.cols() + uniform.straining.cols());
-  both << uniform.rigid, uniform.straining;
-  const Eigen::MatrixXd Q =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(both).householderQ() * Eigen::MatrixXd::Identity(3 * m, both.cols());
-  const Eigen::MatrixXd R = Q.leftCols(6), U = Q.rightCols(both.cols() - 6);
-
-  // Springs between the nodes that grow from x to z, so weak that they only choose among equals.
-  const auto& x = single.now().x;
-  const double size = (x.colwise() - x.rowwise().mean()).norm();
-  Eigen::MatrixXd choice = 2 * U * U.transpose() - 2 * R * R.transpose();
-  for (int i = 0; i < m; ++i)
-    for (int j = 0; j < m; ++j) {
-      const Eigen::Vector3d d = (x.col(i % E::nodes) - x.col(j % E::nodes)).cwiseAbs() / size;
-      const double spring = i / E::nodes == j / E::nodes ? 0.01 * Eigen::Vector3d(1, 2, 3).dot(d) : 0;
-      for (int k = 0; k < 3; ++k) {
-        choice(3 * i + k, 3 * i + k) += spring * (1 + 0.3 * k);
-        choice(3 * i + k, 3 * j + k) -= spring * (1 + 0.3 * k);
-      }
-    }
-  const Eigen::MatrixXd &K = vibration.stiffness, &C = vibration.damping;
-  const double weak = 1e-7 * K.norm();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K + weak * choice);
-
-  std::vector<Eigenmode<E>> modes;
-  for (int k = 0; k < 3 * m; ++k) {
-    const Eigen::VectorXd phi = solver.eigenvectors().col(k);
-    const double rigid = (R.transpose() * phi).squaredNorm(), straining = (U.transpose() * phi).squaredNorm();
-    const double w2 = phi.dot(K * phi) / vibration.mass, zero = 1e-10 * K.norm() / vibration.mass;  // the rounding of K
-    modes.push_back({rigid > 0.5       ? ModeKind::rigid
-                     : straining > 0.5 ? ModeKind::straining
-                                       : ModeKind::hourglass,
-                     std::abs(w2) > zero ? std::sqrt(std::abs(w2)) : 0,
-                     std::max(0.0, phi.dot(C * phi) / vibration.mass), Eigen::Map<const Nodal<double, m>>(phi.data())});
-  }
-  std::stable_sort(modes.begin(), modes.end(),
-                   [](const auto& a, const auto& b) { return a.frequency < b.frequency * (1 - 1e-6); });
-  return modes;
+std::vector<Eigenmode> eigenmodes(const SingleElement<E, M>& single) {
+  return detail::eigenmodes<double>(single.vibration(), uniform_motions(single), single.now().x);
 }
 
 namespace detail {
@@ -222,10 +254,8 @@ Eigen::MatrixXd tangent(const M& material, double h, double dt) {
 template <class E, class M>
 double uniform_strain_error(const SingleElement<E, M>& single) {
   const auto uniform = uniform_motions(single);
-  const Eigen::MatrixXd exact =
-      single.now().volume * detail::tangent(single.material(), uniform.thickness, 1e-6 * single.now().stable_step);
-  const Eigen::MatrixXd found = uniform.straining.transpose() * single.vibration().stiffness * uniform.straining;
-  return (found - exact).norm() / exact.norm();
+  const Eigen::MatrixXd C = detail::tangent(single.material(), uniform.thickness, 1e-6 * single.now().stable_step);
+  return detail::uniform_strain_error<double>(single.vibration().stiffness, uniform.straining, single.now().volume * C);
 }
 
 }  // namespace strike

@@ -34,14 +34,15 @@ struct ElementRecord {
 
 /// How the forces of an element answer to small motions of its coordinates, node after node: f = K x + C v, with the
 /// mass m at each node. Rotations count as lengths, the radius of gyration times the angle, so that they have it too.
-template <class E>
+template <class T = double>
 struct ElementVibration {
-  Eigen::MatrixXd stiffness, damping;
-  double mass = 0;
+  using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+  Matrix stiffness, damping;
+  T mass = 0;
 
   /// Angular frequencies without damping, ascending.
-  Eigen::VectorXd frequencies() const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, Eigen::EigenvaluesOnly);
+  Eigen::Matrix<T, Eigen::Dynamic, 1> frequencies() const {
+    const Eigen::SelfAdjointEigenSolver<Matrix> modes(stiffness, Eigen::EigenvaluesOnly);
     return (modes.eigenvalues() / mass).cwiseMax(0).cwiseSqrt();
   }
 
@@ -53,8 +54,8 @@ struct ElementVibration {
   double critical_step() const {
     double rate = 0;
     for (int i = 0; i < 30; ++i) {
-      const Eigen::MatrixXd both = 0.25 * stiffness + 0.5 * rate * damping;
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(both);
+      const Matrix both = 0.25 * stiffness + 0.5 * rate * damping;
+      const Eigen::SelfAdjointEigenSolver<Matrix> modes(both);
       const auto phi = modes.eigenvectors().col(stiffness.rows() - 1);
       const double k = phi.dot(stiffness * phi) / mass, c = phi.dot(damping * phi) / mass;
       const double before = std::exchange(rate, 0.25 * c + 0.5 * std::sqrt(0.25 * c * c + k));
@@ -66,9 +67,9 @@ struct ElementVibration {
   /// The largest |l| of the same scheme by its amplification matrix: above 1 the step dt is unstable.
   double spectral_radius(double dt) const {
     const Eigen::Index n = stiffness.rows();
-    const auto one = Eigen::MatrixXd::Identity(n, n);
-    Eigen::MatrixXd amplification(2 * n, 2 * n);  // of (x, dt v)
-    const Eigen::MatrixXd k = dt * dt / mass * stiffness, c = dt / mass * damping;
+    const auto one = Matrix::Identity(n, n);
+    Matrix amplification(2 * n, 2 * n);  // of (x, dt v)
+    const Matrix k = dt * dt / mass * stiffness, c = dt / mass * damping;
     amplification << one - k, one - c, -k, one - c;
     return amplification.eigenvalues().cwiseAbs().maxCoeff();
   }
@@ -136,7 +137,7 @@ class SingleElement {
 
   /// Its free vibrations about where it stands, from the exact derivatives of its forces by dual numbers. Bulk
   /// viscosity, which acts in compression only, shows if the nodes move, at `velocities`.
-  ElementVibration<E> vibration(const Vectors& velocities = Vectors::Zero()) const {
+  ElementVibration<> vibration(const Vectors& velocities = Vectors::Zero()) const {
     const double dt = 1e-6 * record_.stable_step;
     const Eigen::MatrixXd one = slope(velocities, dt), two = slope(velocities, 2 * dt);  // dt K + C
     const auto symmetric = [](const Eigen::MatrixXd& A) -> Eigen::MatrixXd { return 0.5 * (A + A.transpose()); };

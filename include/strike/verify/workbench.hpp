@@ -142,7 +142,9 @@ class Workbench {
     std::printf("\n%s\n", name.c_str());
     attempt(name, [&] {
       const SingleElement single{element, material, corners};
-      report(name, eigenmodes(single), corners, tolerances);
+      const std::vector<Eigenmode> modes = eigenmodes(single);
+      report(name, modes, tolerances);
+      draw<E>(name, modes, corners);
       report(name, step_study(single), step_in_compression(single), tolerances);
       report(name, patch_tests(element, material), tolerances);
       report(name, rotation_study(element, material, corners), tolerances);
@@ -238,9 +240,8 @@ class Workbench {
     std::printf("\n");
   }
 
-  template <class E>
-  [[gnu::cold]] void report(const std::string& name, const std::vector<Eigenmode<E>>& modes,
-                            const Nodal<double, E::nodes>& corners, const ElementTolerances& tolerances) {
+  [[gnu::cold]] void report(const std::string& name, const std::vector<Eigenmode>& modes,
+                            const ElementTolerances& tolerances) {
     std::printf("  %5s  %-9s  %12s  %12s  %14s\n", "modes", "kind", "frequency", "decay", "critical step");
     History csv(file(name + " modes", ".csv"), {{"kind"}, {"frequency"}, {"decay"}, {"critical step"}});
     const double highest = modes.back().frequency;
@@ -261,12 +262,11 @@ class Workbench {
     }
     expect({name + ": rigid modes", static_cast<double>(rigid), "1", 6, 0, "three translations, three rotations"});
     expect_below(name + ": frequency of rigid modes", rigid_frequency / highest, tolerances.frequency, "no strain");
-    draw<E>(name, modes, corners);
   }
 
   /// Every mode but the rigid ones, six to a row, coloured by frequency.
   template <class E>
-  [[gnu::cold]] void draw(const std::string& name, const std::vector<Eigenmode<E>>& modes,
+  [[gnu::cold]] void draw(const std::string& name, const std::vector<Eigenmode>& modes,
                           const Nodal<double, E::nodes>& corners) {
     constexpr int n = E::nodes;
     const Nodal<double, n> x = corners.colwise() - corners.rowwise().mean();
@@ -278,7 +278,7 @@ class Workbench {
     std::size_t drawn = 0;
     for (const auto& mode : modes) {
       if (mode.kind == ModeKind::rigid) continue;
-      const Nodal<double, n> u = mode.shape.template leftCols<n>();
+      const Nodal<double, n> u = mode.shape.leftCols(n);
       const double column = static_cast<double>(drawn % 6), row = static_cast<double>(drawn / 6);
       const Eigen::Vector3d place = 2 * size * Eigen::Vector3d(column, 0, -row);
       std::vector<Eigen::Vector3d> positions;
