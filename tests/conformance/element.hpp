@@ -387,7 +387,7 @@ void passes_the_patch_test(const E& element, Shapes<8> shapes, const Eigen::Vect
     patch.nodes = stretch.asDiagonal() * patch.nodes.eval();
     Eigen::Matrix3d L = 1e-3 * shapes.matrix();
     L += (1e-3 - L.trace() / 3) * Eigen::Matrix3d::Identity();  // no compression: bulk viscosity depends on the size
-    const auto response = move(element, Elastic{1, 1, 0.3}, patch, L * patch.nodes, 1.0);
+    const auto response = move_patch(element, Elastic{1, 1, 0.3}, patch, L * patch.nodes, 1.0);
     CHECK(response.spread([](const auto& s) { return s.matrix(); }) <= tolerance);
     CHECK(response.unbalanced_force() <= tolerance);
     const double stress = response.elements[0].stress.matrix().norm();

@@ -287,7 +287,7 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
     const auto respond = [&](const auto& section, const Vectors& v, const Vectors& w) {
       Eigen::Matrix3Xd motion(3, 16);
       motion << v, w;
-      const auto moved = move(element, section, patch, motion, 1e-14);  // so short that its end is its middle
+      const auto moved = move_patch(element, section, patch, motion, 1e-14);  // so short that its end is its middle
       Response response{{}, {}, {}, moved.force, moved.moment, Vectors::Zero(), moved.volume()};
       for (std::size_t k = 0; k < patch.cells.size(); ++k) {
         const auto& now = moved.elements[k];

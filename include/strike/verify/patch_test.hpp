@@ -113,8 +113,8 @@ struct PatchResponse {
 
 /// Moves the nodes of a patch at the velocities v for dt, and if they turn with angular velocities in further columns.
 template <class E, class M>
-PatchResponse<E> move(const E& element, const M& material, const Patch<E::nodes>& patch, const Eigen::Matrix3Xd& v,
-                      double dt) {
+PatchResponse<E> move_patch(const E& element, const M& material, const Patch<E::nodes>& patch,
+                            const Eigen::Matrix3Xd& v, double dt) {
   constexpr int n = E::nodes;
   const Eigen::Index count = patch.nodes.cols();
   PatchResponse<E> response{patch.first_inner, {}, Eigen::Matrix3Xd::Zero(3, count), Eigen::Matrix3Xd::Zero(3, count)};
@@ -160,7 +160,7 @@ std::vector<PatchResult> patch_tests(const E& element, const M& material,
     Nodal<double, E::nodes> x;
     for (int i = 0; i < E::nodes; ++i) x.col(i) = X.col(patch.cells[0][static_cast<std::size_t>(i)]);
     const double dt = SingleElement{element, material, x}.now().stable_step;
-    const auto response = move(element, material, patch, (1e-3 / dt) * L * X, dt);
+    const auto response = move_patch(element, material, patch, (1e-3 / dt) * L * X, dt);
     return {
         {"stretch and shear", response.spread([](const auto& s) { return s.matrix(); }), response.unbalanced_force()}};
   } else {
@@ -172,7 +172,7 @@ std::vector<PatchResult> patch_tests(const E& element, const M& material,
     const auto respond = [&](const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& w) {
       Eigen::Matrix3Xd both(3, 2 * n);
       both << v, w;
-      return move(element, material, patch, both, dt);
+      return move_patch(element, material, patch, both, dt);
     };
     const Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
     L.row(2).setZero(), L.col(2).setZero();
