@@ -100,6 +100,7 @@ CurveStudy compare(const std::vector<Record<M>>& history, const Curve& curve, co
 struct ElementTolerances {
   double patch = 1e-9, rotation = 1e-9;  ///< rounding
   double frequency = 1e-4;  ///< of a rigid motion, over the highest: the root of the rounding, with a margin
+  double stiffness = 1e-6;  ///< of uniform_strain_error: what is lost between two steps of a viscous control
   double step = 1e-6;       ///< by which a claimed step may pass the exact one
 };
 
@@ -145,6 +146,8 @@ class Workbench {
       const std::vector<Eigenmode> modes = eigenmodes(single);
       report(name, modes, tolerances);
       draw<E>(name, modes, corners);
+      expect_below(name + ": stiffness under uniform strains", uniform_strain_error(single), tolerances.stiffness,
+                   "V C of the material");
       report(name, step_study(single), step_in_compression(single), tolerances);
       report(name, patch_tests(element, material), tolerances);
       report(name, rotation_study(element, material, corners), tolerances);
