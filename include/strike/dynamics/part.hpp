@@ -253,6 +253,18 @@ class RunningPart {
   /// "element 7 of part 0 at (x, y, z)", its number as given.
   std::string describe(const Nodes& nodes, std::size_t e) const { return describe_at(nodes, place_of(e)); }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.same(detail::name_of<RunningPart>(), size_, order_);
+    for (Block& block : blocks_) {
+      archive.same(block.nodes);
+      archive(numbers_of<T>(block.state));
+      if constexpr (erodes) archive(block.removal);
+    }
+    if constexpr (averages_volume) archive(volume_);
+    if constexpr (erodes) archive(newly_deleted_, deleted_);
+  }
+
  private:
   template <class Visit>
   std::vector<double> mean_over_points(const Visit& visit) const {
