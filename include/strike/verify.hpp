@@ -1,6 +1,6 @@
 #pragma once
-// Drivers with which a law is verified before it meets a mesh. What reports their findings, strike/verify/workbench.hpp,
-// is included by its own name: it brings all the drawing.
+// Drivers with which a law is verified before it meets a mesh. What reports their findings,
+// strike/verify/workbench.hpp, is included by its own name: it brings all the drawing.
 #include <strike/verify/distortion.hpp>
 #include <strike/verify/eigenmodes.hpp>
 #include <strike/verify/laminate.hpp>

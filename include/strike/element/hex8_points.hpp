@@ -100,9 +100,8 @@ class Hex8Laplacian {
     const auto norm = [](const auto& A) -> T {  // 0 of a brick, where a root has no slope
       return sqrt(max(T(std::numeric_limits<RealOf<T>>::min()), A.squaredNorm()));
     };
-    return strike::largest_eigenvalue(SymmetricTensor<T>{strike::largest_eigenvalue(aa_),
-                                                         strike::largest_eigenvalue(bb_), dd_, norm(ab_), norm(bd_),
-                                                         norm(ad_)});
+    return strike::largest_eigenvalue(SymmetricTensor<T>{
+        strike::largest_eigenvalue(aa_), strike::largest_eigenvalue(bb_), dd_, norm(ab_), norm(bd_), norm(ad_)});
   }
 
  private:

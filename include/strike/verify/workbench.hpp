@@ -69,7 +69,7 @@ struct CurveStudy {
       return std::numeric_limits<double>::quiet_NaN();
     double largest = 0;
     for (const double e : errors())
-      if (!(e <= largest)) largest = e;
+      if (largest <= e || std::isnan(e)) largest = e;  // NaN stays
     return largest;
   }
 
@@ -134,8 +134,8 @@ class Workbench {
     });
   }
 
-  /// All studies of an element that stands at the undistorted `corners`: modes, steps, patch tests, rotation, and
-  /// distortions until it fails.
+  /// All studies of a hexahedron, tetrahedron or quadrilateral plate that stands at the undistorted `corners`: modes,
+  /// steps, patch tests, rotation, and distortions until it fails.
   template <class E, class M>
   void element(const std::string& name, const E& element, const M& material,
                const Nodal<double, E::nodes>& corners = unit_corners<E>(), const SweepOptions& options = {},
