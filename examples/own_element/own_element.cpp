@@ -20,8 +20,13 @@ const Wire steel{.reference_density = 7.85e-6, .youngs_modulus = 200, .yield_str
 constexpr double length = 1000;
 constexpr std::size_t count = 50;
 
-/// The time of a swing of a string between two fixed ends, struck in half a sine.
-double period() {
+struct Swing {
+  std::vector<double> time, deflection;  ///< of the middle
+  double period;
+};
+
+/// A string between two fixed ends, struck in half a sine, over a swing.
+Swing swing() {
   std::vector<Eigen::Vector3d> nodes;
   Cells<2> bars;
   for (std::size_t i = 0; i <= count; ++i) {
@@ -34,15 +39,14 @@ double period() {
   }};
   Explicit run{Scene{nodes, Part{Truss{.area = 1}, steel, bars}, struck, Hinged{{0, count}}}};
 
-  std::vector<double> crossings;
-  double t = 0, y = 0;
+  std::vector<double> crossings, t{0}, y{0};
   while (crossings.size() < 2) {
     run.step();
-    const double now = run.positions()[count / 2].y();
-    if (now * y < 0) crossings.push_back(t + (run.time() - t) * y / (y - now));
-    t = run.time(), y = now;
+    const double time = run.time(), now = run.positions()[count / 2].y();
+    if (now * y.back() < 0) crossings.push_back(t.back() + (time - t.back()) * y.back() / (y.back() - now));
+    t.push_back(time), y.push_back(now);
   }
-  return 2 * (crossings[1] - crossings[0]);
+  return {t, y, 2 * (crossings[1] - crossings[0])};
 }
 
 }  // namespace
@@ -50,12 +54,23 @@ double period() {
 int main(int argument_count, char** arguments) {
   return examples::run(argument_count, arguments, [](examples::Options& options) {
     options.check();
-    const double exact = 2 * length * std::sqrt(steel.reference_density / steel.initial_stress), found = period();
+    const double exact = 2 * length * std::sqrt(steel.reference_density / steel.initial_stress);
+    const auto [time, deflection, found] = swing();
     std::printf("period of the string   %.3f ms\n", found);
     std::printf("2 L sqrt(rho/sigma)    %.3f ms\n", exact);
 
+    std::vector<double> sine;
+    for (const double t : time)
+      sine.push_back(0.1 * exact / (2 * std::numbers::pi) * std::sin(2 * std::numbers::pi * t / exact));
+    Chart chart{{.title = "A string of fifty trusses",
+                 .x = {.label = "time", .unit = "ms"},
+                 .y = {.label = "deflection", .unit = "mm"}}};
+    chart.curve("simulated", time, deflection);
+    chart.curve("d'Alembert", time, sine);
+    chart.write("string.svg");
+
     Results results;
-    results.add({"period", found, "ms", exact, 1e-3, "2 L sqrt(rho/sigma)"});
+    results.add({"period", found, "ms", exact, 1e-3 * exact, "2 L sqrt(rho/sigma)"});
     results.write("results.csv");
   });
 }
