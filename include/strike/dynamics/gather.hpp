@@ -19,21 +19,21 @@ namespace detail {
 /// Moves the padded vectors of `lanes<T>` nodes into the lanes of three numbers, and back onto the nodes.
 template <class T>
 struct Transposer {
-  using Field = NodalField<RealOf<T>>;
+  using Field = NodalField<LaneOf<T>>;
   using Places = std::array<Index, lanes<T>>;
 
   static Vector3<T> load(const Field& field, const Places& nodes) {
     Vector3<T> a;
     for (std::size_t l = 0; l < lanes<T>; ++l) {
-      const Padded<RealOf<T>>& node = field[nodes[l]];
-      set_lane(a(0), l, node[0]), set_lane(a(1), l, node[1]), set_lane(a(2), l, node[2]);
+      const Padded<LaneOf<T>>& node = field[nodes[l]];
+      for (std::size_t c = 0; c < 3; ++c) set_lane(a(static_cast<int>(c)), l, lane(node, c));
     }
     return a;
   }
   static void subtract(const Vector3<T>& a, Field& field, const Places& nodes, std::size_t count) {
     for (std::size_t l = 0; l < count; ++l) {
-      Padded<RealOf<T>>& node = field[nodes[l]];
-      node.set(0, node[0] - lane(a(0), l)), node.set(1, node[1] - lane(a(1), l)), node.set(2, node[2] - lane(a(2), l));
+      Padded<LaneOf<T>>& node = field[nodes[l]];
+      for (std::size_t c = 0; c < 3; ++c) set_lane(node, c, lane(node, c) - lane(a(static_cast<int>(c)), l));
     }
   }
 };
@@ -126,7 +126,7 @@ void for_each_corner(const F& f) {
 
 /// Nodal vectors into lanes.
 template <class T, std::size_t n>
-Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<RealOf<T>>& field,
+Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<LaneOf<T>>& field,
                                                 const BlockNodes<n, lanes<T>>& nodes) {
   Eigen::Matrix<T, 3, static_cast<int>(n)> a;
   detail::for_each_corner<n>([&](std::size_t i) { set_column(a, i, detail::Transposer<T>::load(field, nodes[i])); });
@@ -135,8 +135,8 @@ Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<RealOf<T>>& fie
 
 /// Those of two fields, the second behind the first.
 template <class T, std::size_t n>
-Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<RealOf<T>>& first,
-                                                    const NodalField<RealOf<T>>& second,
+Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<LaneOf<T>>& first,
+                                                    const NodalField<LaneOf<T>>& second,
                                                     const BlockNodes<n, lanes<T>>& nodes) {
   Eigen::Matrix<T, 3, static_cast<int>(2 * n)> a;
   detail::for_each_corner<n>([&](std::size_t i) {
@@ -148,7 +148,7 @@ Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<RealOf<T>>&
 
 /// field -= f for the first `count` lanes, node after node and lane after lane; f from its column `first` on.
 template <class T, std::size_t n, int m>
-void scatter_subtract(const Eigen::Matrix<T, 3, m>& f, NodalField<RealOf<T>>& field,
+void scatter_subtract(const Eigen::Matrix<T, 3, m>& f, NodalField<LaneOf<T>>& field,
                       const BlockNodes<n, lanes<T>>& nodes, std::size_t count, std::size_t first = 0) {
   detail::for_each_corner<n>(
       [&](std::size_t i) { detail::Transposer<T>::subtract(column(f, first + i), field, nodes[i], count); });
