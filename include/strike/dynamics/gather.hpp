@@ -19,21 +19,22 @@ namespace detail {
 /// Moves the padded vectors of `lanes<T>` nodes into the lanes of three numbers, and back onto the nodes.
 template <class T>
 struct Transposer {
-  using Field = NodalField<LaneOf<T>>;
   using Places = std::array<Index, lanes<T>>;
 
+  template <class Field>
   static Vector3<T> load(const Field& field, const Places& nodes) {
     Vector3<T> a;
     for (std::size_t l = 0; l < lanes<T>; ++l) {
-      const Padded<LaneOf<T>>& node = field[nodes[l]];
-      for (std::size_t c = 0; c < 3; ++c) set_lane(a(static_cast<int>(c)), l, lane(node, c));
+      const Padded<RealOf<T>>& node = field[nodes[l]];
+      set_lane(a(0), l, node[0]), set_lane(a(1), l, node[1]), set_lane(a(2), l, node[2]);
     }
     return a;
   }
+  template <class Field>
   static void subtract(const Vector3<T>& a, Field& field, const Places& nodes, std::size_t count) {
     for (std::size_t l = 0; l < count; ++l) {
-      Padded<LaneOf<T>>& node = field[nodes[l]];
-      for (std::size_t c = 0; c < 3; ++c) set_lane(node, c, lane(node, c) - lane(a(static_cast<int>(c)), l));
+      Padded<RealOf<T>>& node = field[nodes[l]];
+      node.set(0, node[0] - lane(a(0), l)), node.set(1, node[1] - lane(a(1), l)), node.set(2, node[2] - lane(a(2), l));
     }
   }
 };
@@ -41,7 +42,6 @@ struct Transposer {
 /// The same for registers of whole quadruples: a node is one load, and quadruples of nodes are transposed in registers.
 template <class T, std::size_t N>
 requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
-  using Field = NodalField<T>;
   using Places = std::array<Index, N>;
   static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
   static constexpr std::size_t registers = N / width, quads = width / 4;
@@ -61,6 +61,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
   }
 
   /// The nodes first, first + 4, ... side by side.
+  template <class Field>
   static Wide load_row(const Field& field, const Index* nodes) {
     const Quad q0 = field[nodes[0]].native(0);
     if constexpr (quads == 1) {
@@ -80,6 +81,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
   static Quad quad(const Wide& row) {
     return __builtin_shufflevector(row, row, 4 * q, 4 * q + 1, 4 * q + 2, 4 * q + 3);
   }
+  template <class Field>
   static Vector3<Pack<T, N>> load(const Field& field, const Places& nodes) {
     Vector3<Pack<T, N>> v;
     for (std::size_t k = 0; k < registers; ++k) {
@@ -94,6 +96,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
     return v;
   }
 
+  template <class Field>
   static void subtract(const Vector3<Pack<T, N>>& v, Field& field, const Places& nodes, std::size_t count) {
     for (std::size_t k = 0; k < registers; ++k) {
       const Wide x = v(0).native(k), y = v(1).native(k), z = v(2).native(k);
@@ -111,6 +114,38 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
          ...);
       }
       (std::make_integer_sequence<int, static_cast<int>(quads)>{});
+    }
+  }
+};
+
+/// The same for the values and each derivative of dual numbers.
+template <class T, std::size_t N>
+struct Transposer<Dual<T, N>> {
+  using Places = std::array<Index, lanes<T>>;
+
+  /// Number k of the vectors of a field: their values, or a derivative.
+  template <class Field>
+  struct Numbers {
+    Field& field;
+    std::size_t k;
+
+    auto& operator[](Index place) const { return numbers_of<Padded<RealOf<T>>>(field[place])[k]; }
+  };
+  template <class Field>
+  static Vector3<Dual<T, N>> load(const Field& field, const Places& nodes) {
+    Vector3<Dual<T, N>> a;
+    for (std::size_t k = 0; k <= N; ++k) {
+      const Vector3<T> a_k = Transposer<T>::load(Numbers<const Field>{field, k}, nodes);
+      for (int c = 0; c < 3; ++c) numbers_of<T>(a(c))[k] = a_k(c);
+    }
+    return a;
+  }
+  template <class Field>
+  static void subtract(const Vector3<Dual<T, N>>& a, Field& field, const Places& nodes, std::size_t count) {
+    for (std::size_t k = 0; k <= N; ++k) {
+      const auto number = [&](int c) -> const T& { return numbers_of<T>(a(c))[k]; };
+      const Numbers<Field> numbers{field, k};
+      Transposer<T>::subtract(Vector3<T>(number(0), number(1), number(2)), numbers, nodes, count);
     }
   }
 };
