@@ -15,91 +15,108 @@ namespace strike {
 
 namespace detail {
 
-/// A number that has derivatives by N variables, as the number U of a formula: with those derivatives if U carries
-/// them, be it deep inside (a dual number of duals), else a constant.
+/// A number with derivatives by N variables as the number U of a formula: with these derivatives if U carries them, be
+/// it deep inside (a dual number of duals), else as a constant.
 template <class U, std::size_t N>
-struct Embedding {
-  static U of(const Dual<double, N>& a) { return U(a.value()); }
-};
-template <class V, std::size_t N>
-struct Embedding<Dual<V, N>, N> {
-  static Dual<V, N> of(const Dual<double, N>& a) {
-    std::array<V, N> derivatives;
-    for (std::size_t k = 0; k < N; ++k) derivatives[k] = V(a.derivative(k));
-    return {V(a.value()), derivatives};
+U embedded(const Dual<double, N>& a) {
+  if constexpr (requires(U u) { u.value().value(); }) {
+    return U(embedded<typename U::value_type>(a));
+  } else if constexpr (requires(U u) { u.derivative(N - 1); }) {
+    std::array<typename U::value_type, U::variables()> derivatives{};
+    for (std::size_t k = 0; k < N; ++k) derivatives[k] = a.derivative(k);
+    return {a.value(), derivatives};
+  } else {
+    return U(a.value());
   }
+}
+
+struct NoHeating {};
+struct Heating {
+  double initial_temperature, heating;
 };
-template <class V, std::size_t N, std::size_t K, std::size_t M>
-struct Embedding<Dual<Dual<V, N>, K>, M> {
-  static Dual<Dual<V, N>, K> of(const Dual<double, M>& a) { return Embedding<Dual<V, N>, M>::of(a); }
-};
+template <class Law>
+auto heating_of(const Law& law) {
+  if constexpr (ThermalFlow<Law>)
+    return Heating{law.initial_temperature, law.heating};
+  else
+    return (void)law, NoHeating{};
+}
 
 }  // namespace detail
 
-/// A strength law whose parameters are dual numbers: a run in dual numbers then knows how everything that it computes
-/// depends on them. The law stays as it is, its parameters plain numbers of which some are named by their members:
-///   const std::array<Dual<double, 2>, 2> p = ...;
+/// A strength law some of whose parameters have derivatives by N variables, so that all that a run in dual numbers
+/// computes has them too. The law stays as it is; its parameters are named by their members:
+///   const std::array p{Dual<double, 2>::variable(0.4, 0), Dual<double, 2>::variable(0.1, 1)};
 ///   Sensitive{VonMises{.shear_modulus = 43.3}, p, &VonMises::yield_stress, &VonMises::hardening_modulus}
-/// d sigma/dp at fixed strain, rate and temperature is the difference quotient of fourth order of the law's own
-/// formula, over 1e-3 p: exact to rounding where p stands linearly, else to 1e-12 of a smooth formula. In a run without
-/// derivatives it is the law with the values of p.
-/// Errors: a parameter that is 0, for then it has no scale; one that acts outside the flow stress.
+/// Since they are plain numbers there, d sigma/dp at fixed strain, rate and temperature is the difference quotient of
+/// fourth order of the law's own formula over 1e-3 p (Abramowitz and Stegun 1964, 25.3.6): exact to rounding where p
+/// stands linearly, to some 1e-12 where the formula is smooth in it. In plain numbers it is the law with the values
+/// of p.
+/// Errors: a parameter that is 0 and so has no scale, or that acts outside the flow stress.
 template <class Law, std::size_t N, std::size_t M>
-class Sensitive : public Law {
-  static constexpr bool is_flow_law = FlowLaw<Law>;
-  static_assert(is_flow_law, "strike: Sensitive needs a strength law with a flow_stress, such as VonMises.");
-
+class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
  public:
-  template <std::same_as<double Law::*>... Member>
-  requires(sizeof...(Member) == M) Sensitive(const Law& law, const std::array<Dual<double, N>, M>& parameters,
-                                             Member... members)
-      : Law(law), parameters_(parameters), members_{members...} {
-    for (std::size_t m = 0; m < M; ++m) {
-      check(m);
-      this->*members_[m] = parameters_[m].value();
+  double shear_modulus;
+
+  template <class... Members>
+  requires(sizeof...(Members) == M && (std::same_as<Members, double Law::*> && ...))
+      Sensitive(Law law, const std::array<Dual<double, N>, M>& parameters, Members... members)
+      : decltype(detail::heating_of(law))(detail::heating_of(law)),
+        shear_modulus(law.shear_modulus),
+        law_(std::move(law)),
+        parameters_(parameters),
+        members_{members...} {
+    for (std::size_t i = 0; i < M; ++i) {
+      check(i);
+      law_.*members_[i] = parameters_[i].value();
     }
   }
 
+  /// The law with the values of its parameters.
+  const Law& law() const { return law_; }
+
+  std::string notice() const requires requires(Law law) { law.notice(); }
+  { return law_.notice(); }
+
   template <class T, class... More>
-  requires requires(const Law law, T x, More... more) { law.flow_stress(x, more...); }
+  requires requires(const Law law, T e, More... more) { law.flow_stress(e, more...); }
   T flow_stress(const T& e, const More&... more) const {
-    const Law& law = *this;
-    T sigma = law.flow_stress(e, more...);
-    for (std::size_t m = 0; m < M; ++m) {
-      const double value = parameters_[m].value(), h = 1e-3 * value;
-      const auto at = [&](double steps) -> T {
-        Law other = law;
-        other.*members_[m] = value + steps * h;
+    T sigma = law_.flow_stress(e, more...);
+    for (std::size_t i = 0; i < M; ++i) {
+      const double p = parameters_[i].value(), h = 1e-3 * p;
+      const auto at = [&](double value) -> T {
+        Law other = law_;
+        other.*members_[i] = value;
         return other.flow_stress(e, more...);
       };
-      const T slope = (8.0 * (at(1) - at(-1)) - (at(2) - at(-2))) * (1 / (12 * h));
-      sigma += slope * detail::Embedding<T, N>::of(parameters_[m] - value);
+      const T slope = (8.0 * (at(p + h) - at(p - h)) - (at(p + 2 * h) - at(p - 2 * h))) * (1 / (12 * h));
+      sigma += slope * detail::embedded<T>(parameters_[i] - p);
     }
     return sigma;
   }
 
-  /// The law's own way to its increment does not know the parameters.
-  void plastic_increment() const = delete;
-
  private:
-  void check(std::size_t m) const {
+  void check(std::size_t i) const {
     const auto refuse = [&](const std::string& why) {
-      throw Error(detail::joined({"strike: parameter ", std::to_string(m), " of a Sensitive law ", why}));
+      throw Error(detail::joined({"strike: parameter ", std::to_string(i), " of Sensitive ", why}));
     };
-    const double value = parameters_[m].value();
-    if (!(std::abs(value) > 0 && std::isfinite(value)))
-      refuse(detail::joined({"is ", detail::text(value), ", which has no scale; begin with another value."}));
-    bool outside = members_[m] == &Law::shear_modulus;
+    const double p = parameters_[i].value();
+    if (!(std::abs(p) > 0 && std::isfinite(p)))
+      refuse(detail::joined({"is ", detail::text(p), " and so has no scale; begin with another value."}));
+    bool outside = members_[i] == &Law::shear_modulus;
     if constexpr (ThermalFlow<Law>)
-      outside = outside || members_[m] == &Law::heating || members_[m] == &Law::initial_temperature;
+      outside = outside || members_[i] == &Law::heating || members_[i] == &Law::initial_temperature;
     if (outside)
-      refuse("acts outside its flow_stress, as the shear modulus and the heating do; name parameters of that formula.");
+      refuse(
+          "is the shear modulus, the heating or the initial temperature, which act outside the flow stress; name "
+          "parameters of that formula.");
   }
 
+  Law law_;
   std::array<Dual<double, N>, M> parameters_;
   std::array<double Law::*, M> members_;
 };
-template <class Law, std::size_t N, std::size_t M, class... Member>
-Sensitive(Law, std::array<Dual<double, N>, M>, Member...) -> Sensitive<Law, N, M>;
+template <class Law, std::size_t N, std::size_t M, class... Members>
+Sensitive(Law, std::array<Dual<double, N>, M>, Members...) -> Sensitive<Law, N, M>;
 
 }  // namespace strike
