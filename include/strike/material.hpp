@@ -15,6 +15,7 @@
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/sensitive.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/thickness_rule.hpp>
 #include <strike/material/transverse_shear.hpp>

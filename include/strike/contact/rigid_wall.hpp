@@ -53,8 +53,10 @@ class RigidWall {
       const Vector before = v - (step.kick() / mass) * nodes.f(i);
       const Vector after = v + (1 / mass) * given;
       nodes.set_velocity(i, after);
-      ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)), static_cast<double>(-push * away.dot(after)));
-      ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)), static_cast<double>(drag * sliding.dot(after)));
+      ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
+                                  static_cast<double>(-push * away.dot(after)));
+      ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
+                                   static_cast<double>(drag * sliding.dot(after)));
       impulse += given.template cast<double>();
     }
     impulse_ += impulse;

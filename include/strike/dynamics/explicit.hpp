@@ -238,7 +238,8 @@ class Explicit {
     double energy = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       energy += 0.5 * nodes_.mass(i) * nodes_.v(i).template cast<double>().squaredNorm();
-      if constexpr (Nodes::nodes_turn) energy += 0.5 * nodes_.inertia(i) * nodes_.w(i).template cast<double>().squaredNorm();
+      if constexpr (Nodes::nodes_turn)
+        energy += 0.5 * nodes_.inertia(i) * nodes_.w(i).template cast<double>().squaredNorm();
     }
     return energy;
   }

@@ -377,7 +377,8 @@ class RunningPart {
 
     for (std::size_t l = 0; l < width; ++l) {
       const auto element_of = [&](const T& block) {
-        return std::min((patch.first_block + static_cast<std::size_t>(static_cast<double>(lane(block, l)))) * width + l, size_ - 1);
+        return std::min((patch.first_block + static_cast<std::size_t>(static_cast<double>(lane(block, l)))) * width + l,
+                        size_ - 1);
       };
       if (const double rate_l = static_cast<double>(lane(rate, l)); outcome.critical_rate < rate_l)
         outcome.critical_rate = rate_l, outcome.slowest = element_of(slowest);
@@ -488,7 +489,8 @@ class RunningPart {
       const Eigen::Vector3d x = nodes.x(c[i]).template cast<double>();
       spacing = std::max(spacing, nodes.resolution(c[i]));
       for (std::size_t j = 0; j < i; ++j)
-        if (const double d = Eigen::Vector3d(x - nodes.x(c[j]).template cast<double>()).norm(); d > 0) gap = std::min(gap, d);
+        if (const double d = Eigen::Vector3d(x - nodes.x(c[j]).template cast<double>()).norm(); d > 0)
+          gap = std::min(gap, d);
     }
     if (spacing > 1e-3 * gap)
       throw Error(

@@ -34,7 +34,8 @@ class Pressure {
   double power(const N& nodes) const {
     double sum = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k) sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
+      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k)
+        sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
     return sum;
   }
 

@@ -116,8 +116,9 @@ struct Motion<Real, true> : Motion<Real> {
 
 /// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass; where
 /// elements turn them (`turn`) their angular velocity w and moment too, and one moment of inertia for all directions.
-/// They are kept in Real and told and given in double, or if Real has derivatives in that. Node i lies in memory at place(i), chosen for locality. Elements
-/// work on `motion()` of ElementReal: the nodes' own, or if that is of another precision a copy.
+/// They are kept in Real and told and given in double, or if Real has derivatives in that. Node i lies in memory at
+/// place(i), chosen for locality. Elements work on `motion()` of ElementReal: the nodes' own, or if that is of another
+/// precision a copy.
 template <class Real, class ElementReal = Real, bool turn = false>
 class Nodes {
   using Plain = RealOf<Real>;
