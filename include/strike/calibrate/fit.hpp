@@ -2,10 +2,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -72,14 +75,15 @@ namespace detail {
 
 /// The residuals and their slopes as Eigen's Levenberg-Marquardt asks for them, in variables x of order one that are 1
 /// at the start: x - 1 = ln(p/start) of what is positive, else p/start - 1.
-template <class Residuals, std::size_t N>
+template <std::size_t N>
 class FitFunctor : public Eigen::DenseFunctor<double> {
  public:
   using Number = Dual<double, N>;
+  using Residuals = std::function<std::vector<Number>(const std::array<Number, N>&)>;
   using Vector = Eigen::VectorXd;
 
-  FitFunctor(const Residuals& residuals, std::span<const Unknown, N> unknowns)
-      : residuals_(residuals), unknowns_(unknowns), x_(Vector::Ones(N)) {
+  FitFunctor(Residuals residuals, std::span<const Unknown, N> unknowns)
+      : residuals_(std::move(residuals)), unknowns_(unknowns), x_(Vector::Ones(N)) {
     for (const Unknown& unknown : unknowns_)
       if (!std::isfinite(unknown.start) || unknown.start == 0 ||
           (unknown.range == Range::positive && unknown.start < 0))
@@ -146,7 +150,7 @@ class FitFunctor : public Eigen::DenseFunctor<double> {
     }
   }
 
-  const Residuals& residuals_;
+  Residuals residuals_;
   std::span<const Unknown, N> unknowns_;
   Vector x_;
   std::vector<Number> r_;
@@ -182,9 +186,9 @@ void check_determined(const Eigen::MatrixXd& J, std::span<const Unknown, N> unkn
 /// residual that is not finite; parameters that the data do not determine.
 template <std::size_t N, class Residuals>
 Fit<N> fit(const Residuals& residuals, const Unknown (&unknowns)[N], const FitOptions& options = {}) {
-  detail::FitFunctor<Residuals, N> functor(residuals, unknowns);
+  detail::FitFunctor<N> functor(residuals, unknowns);
   Eigen::VectorXd x = Eigen::VectorXd::Ones(N);
-  Eigen::LevenbergMarquardt<detail::FitFunctor<Residuals, N>> search(functor);
+  Eigen::LevenbergMarquardt<detail::FitFunctor<N>> search(functor);
   search.setFtol(options.tolerance);
   search.setXtol(options.tolerance);
   search.setMaxfev(static_cast<Eigen::Index>(options.evaluations));
