@@ -19,12 +19,15 @@ namespace detail {
 /// it deep inside (a dual number of duals), else as a constant.
 template <class U, std::size_t N>
 U embedded(const Dual<double, N>& a) {
-  if constexpr (requires(U u) { u.value().value(); }) {
-    return U(embedded<typename U::value_type>(a));
-  } else if constexpr (requires(U u) { u.derivative(N - 1); }) {
-    std::array<typename U::value_type, U::variables()> derivatives{};
+  if constexpr (requires {
+                  requires U::variables()
+                  == N && !requires(U u) { u.value().value(); };
+                }) {
+    std::array<typename U::value_type, N> derivatives;
     for (std::size_t k = 0; k < N; ++k) derivatives[k] = a.derivative(k);
     return {a.value(), derivatives};
+  } else if constexpr (requires(U u) { u.value(); }) {
+    return U(embedded<typename U::value_type>(a));
   } else {
     return U(a.value());
   }
@@ -59,16 +62,21 @@ class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
   double shear_modulus;
 
   template <class... Members>
-  requires(sizeof...(Members) == M && (std::same_as<Members, double Law::*> && ...))
-      Sensitive(Law law, const std::array<Dual<double, N>, M>& parameters, Members... members)
+  Sensitive(Law law, const std::array<Dual<double, N>, M>& parameters, Members... members)
       : decltype(detail::heating_of(law))(detail::heating_of(law)),
         shear_modulus(law.shear_modulus),
         law_(std::move(law)),
-        parameters_(parameters),
-        members_{members...} {
-    for (std::size_t i = 0; i < M; ++i) {
-      check(i);
-      law_.*members_[i] = parameters_[i].value();
+        parameters_(parameters) {
+    constexpr bool named = sizeof...(Members) == M && (std::convertible_to<Members, double Law::*> && ...);
+    static_assert(named,
+                  "strike: after its parameters Sensitive names as many members of its law, such as "
+                  "&VonMises::yield_stress.");
+    if constexpr (named) {
+      members_ = {members...};
+      for (std::size_t i = 0; i < M; ++i) {
+        check(i);
+        law_.*members_[i] = parameters_[i].value();
+      }
     }
   }
 
@@ -114,7 +122,7 @@ class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
 
   Law law_;
   std::array<Dual<double, N>, M> parameters_;
-  std::array<double Law::*, M> members_;
+  std::array<double Law::*, M> members_{};
 };
 template <class Law, std::size_t N, std::size_t M, class... Members>
 Sensitive(Law, std::array<Dual<double, N>, M>, Members...) -> Sensitive<Law, N, M>;
