@@ -19,15 +19,16 @@ namespace detail {
 /// it deep inside (a dual number of duals), else as a constant.
 template <class U, std::size_t N>
 U embedded(const Dual<double, N>& a) {
-  if constexpr (requires {
-                  requires U::variables()
-                  == N && !requires(U u) { u.value().value(); };
-                }) {
+  constexpr bool nested = requires(U u) { u.value().value(); };
+  if constexpr (nested) {
+    return U(embedded<typename U::value_type>(a));
+  } else if constexpr (requires {
+                         requires U::variables()
+                         == N;
+                       }) {
     std::array<typename U::value_type, N> derivatives;
     for (std::size_t k = 0; k < N; ++k) derivatives[k] = a.derivative(k);
     return {a.value(), derivatives};
-  } else if constexpr (requires(U u) { u.value(); }) {
-    return U(embedded<typename U::value_type>(a));
   } else {
     return U(a.value());
   }
