@@ -4,6 +4,7 @@
 //   bash examples/run taylor_cylinder cells=6 layers=100
 //   bash examples/run taylor_cylinder scalar=float hourglass=0.05
 //   bash examples/run taylor_cylinder wall=unilateral
+//   bash examples/run taylor_cylinder checkpoint=2 restart=if_there     (after whatever has ended it, it goes on)
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,6 +32,7 @@ struct Study {
   Mesh bar;
   double step_factor;
   bool unilateral;
+  CheckpointOptions checkpoint;
 };
 
 double length_of(const std::vector<Eigen::Vector3d>& positions) {
@@ -76,6 +78,10 @@ struct Record {
   void frame(double time, const std::vector<Eigen::Vector3d>& x, const std::vector<double>& strain) {
     film.write(time, bar, x, {}, {{"equivalent plastic strain", strain}});
   }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(history, film, times, lengths, drift);
+  }
   void watch(double time, std::size_t step, double error) {
     drift = std::max(drift, std::abs(error));
     progress(time, step, error);
@@ -100,10 +106,12 @@ void strike_wall(const Element& element, In<T> number, const Study& study, Recor
   };
 
   const std::clock_t begin = std::clock();
-  run.until(end,  //
-            Every{end / 160, [&] { record.sample(run.time(), run.positions(), run.energy()); }},
-            Every{end / 16, [&] { record.frame(run.time(), run.positions(), plastic_strain()); }},
-            [&] { record.watch(run.time(), run.steps(), run.energy().error()); });
+  run.until(
+      end,  //
+      Every{end / 160, [&] { record.sample(run.time(), run.positions(), run.energy()); }},
+      Every{end / 16, [&] { record.frame(run.time(), run.positions(), plastic_strain()); }},
+      [&] { record.watch(run.time(), run.steps(), run.energy().error()); },
+      Checkpoint{"bar.checkpoint", study.checkpoint, record});
   record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   record.positions = run.positions(), record.plastic_strain = plastic_strain(), record.energy = run.energy(),
   record.steps = run.steps();
@@ -186,10 +194,13 @@ int main(int count, char** arguments) {
     const Index cells = options.count("cells", 3), layers = options.count("layers", 50);
     const std::string scalar = options.choice("scalar", {"double", "float"});
     const std::string wall = options.choice("wall", {"held", "unilateral"});
-    const double Q = options.number("hourglass", 0.1);
+    const double Q = options.number("hourglass", 0.1), interval = options.number("checkpoint", 1000);  // [us]
+    const std::string restart = options.choice("restart", {"never", "if_there"});
     const Study study{.bar = cylinder({.radius = radius, .length = length, .cells = cells, .layers = layers}),
                       .step_factor = options.number("step", 0.9),
-                      .unilateral = wall == "unilateral"};
+                      .unilateral = wall == "unilateral",
+                      .checkpoint = {.interval = 1e-3 * interval,
+                                     .restart = restart == "never" ? Restart::never : Restart::if_there}};
     options.check();
 
     const Hex8 brick{ViscousHourglass{.coefficient = Q}};

@@ -1,5 +1,7 @@
 #pragma once
+#include <strike/output/archive.hpp>
 #include <strike/output/chart.hpp>
+#include <strike/output/checkpoint.hpp>
 #include <strike/output/colour.hpp>
 #include <strike/output/field.hpp>
 #include <strike/output/history.hpp>

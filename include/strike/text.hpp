@@ -15,6 +15,12 @@ namespace strike::detail {
   return whole;
 }
 
+/// What the compiler calls a type, among other words.
+template <class T>
+constexpr std::string_view name_of() {
+  return __PRETTY_FUNCTION__;
+}
+
 /// A number as a message shows it: six significant digits.
 [[gnu::cold]] inline std::string text(double number) {
   char buffer[32];

@@ -18,10 +18,10 @@ TEST_CASE("history: heads carry units, numbers read back bit for bit, rows are t
   const ScratchFolder folder("history");
   const std::string path = folder / "runs/bar.csv";
   History history{path, {{"time", "ms"}, {"length", "mm"}, {"steps"}, {"force, total", "kN"}}};
-  CHECK(content_of(path) == "time [ms],length [mm],steps,\"force, total [kN]\"\n");
 
   const std::vector<double> odd{0.1, 1.0 / 3, -5e-324, 1.7976931348623157e308};
   history.row(odd);
+  CHECK(content_of(path).starts_with("time [ms],length [mm],steps,\"force, total [kN]\"\n"));
   std::istringstream lines(content_of(path));
   std::string line;
   std::getline(lines, line);

@@ -1,4 +1,7 @@
+#include <filesystem>
+
 #include <strike/dynamics/every.hpp>
+#include <strike/input/read_mesh.hpp>
 
 #include "problems/taylor_bar.hpp"
 #include "support/catch.hpp"
@@ -43,4 +46,36 @@ TEST_CASE("Taylor bar, 1350 hexahedra: X3D's table and the history of an indepen
   CHECK(run.energy().hourglass < 0.02 * run.energy().initial);
   CHECK(run.energy().contact == Approx(run.energy().initial / (2 * 50)).epsilon(1e-3));  // the foot of 50 layers stops
   CHECK(run.energy().initial == Approx(239.8 / 4).epsilon(0.02));  // pi R^2 L rho v^2/2 [J], less the polygon's gaps
+}
+
+TEST_CASE("Taylor bar from files of gmsh 4.8.4: the built-in mesh and its result") {
+  const Mesh own = cylinder({.radius = 3.2, .length = 32.4, .cells = 2, .layers = 10});
+  auto reference = taylor::bar(taylor::mm_ms_kg, own, in<Pack<double>>);
+  reference.until(taylor::mm_ms_kg.end);
+
+  const auto folder = std::filesystem::path(__FILE__).parent_path() / "../../examples/taylor_from_deck";
+  for (const char* name : {"taylor22.msh", "taylor41.msh", "taylor.inp", "taylor.key"}) {
+    INFO(name);
+    const Deck deck = read_mesh(folder / name);
+    const Mesh& bar = deck.mesh;
+    REQUIRE(bar.nodes.size() == own.nodes.size());
+    REQUIRE(bar.hexahedra.size() == own.hexahedra.size());
+    CHECK(std::all_of(bar.nodes.begin(), bar.nodes.end(), [&](const Eigen::Vector3d& x) {
+      return std::any_of(own.nodes.begin(), own.nodes.end(),
+                         [&](const auto& y) { return (x - y).norm() < 1e-8; });  // gmsh divides arcs to 3e-9
+    }));
+    REQUIRE(deck.node_sets.size() >= 3);
+    const bool key = std::string(name) == "taylor.key";  // it names them in comments
+    CHECK((key ? deck.nodes(1) : deck.nodes("foot")) == nodes_where(bar.nodes, on_plane(Axis::z, 0)));
+    CHECK((key ? deck.nodes(2) : deck.nodes("x0")) == nodes_where(bar.nodes, on_plane(Axis::x, 0)));
+    CHECK((key ? deck.nodes(3) : deck.nodes("y0")) == nodes_where(bar.nodes, on_plane(Axis::y, 0)));
+    if (!key) CHECK(deck.part("bar").hexahedra == bar.hexahedra);
+
+    // Nodes that far apart make differences of 1e-11 here; asked of the readers are 5e-3.
+    auto run = taylor::bar(taylor::mm_ms_kg, bar, in<Pack<double>>);
+    run.until(taylor::mm_ms_kg.end);
+    CHECK(taylor::length(run) == Approx(taylor::length(reference)).epsilon(1e-8));
+    CHECK(taylor::radius(run) == Approx(taylor::radius(reference)).epsilon(1e-8));
+    CHECK(taylor::plastic_strain(run) == Approx(taylor::plastic_strain(reference)).epsilon(1e-8));
+  }
 }

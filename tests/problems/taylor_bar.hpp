@@ -30,13 +30,17 @@ inline auto copper(const Data& data) {
 }
 
 template <class T, class E = Hex8<>, class... Policies>
-auto bar(const Data& data, Index cells, Index layers, In<T> number, const E& element = {},
-         const Policies&... policies) {
-  const Mesh mesh = cylinder({.radius = data.radius, .length = data.length, .cells = cells, .layers = layers});
+auto bar(const Data& data, const Mesh& mesh, In<T> number, const E& element = {}, const Policies&... policies) {
   const auto on = [&](Axis axis) { return nodes_where(mesh.nodes, on_plane(axis, 0)); };
   return Explicit{Scene{mesh.nodes, Part{element, copper(data), mesh.hexahedra}, InitialVelocity{{0, 0, -data.speed}},
                         Symmetry{Axis::x, on(Axis::x)}, Symmetry{Axis::y, on(Axis::y)}, Symmetry{Axis::z, on(Axis::z)}},
                   ExplicitOptions{}, number, policies...};
+}
+template <class T, class E = Hex8<>, class... Policies>
+auto bar(const Data& data, Index cells, Index layers, In<T> number, const E& element = {},
+         const Policies&... policies) {
+  return bar(data, cylinder({.radius = data.radius, .length = data.length, .cells = cells, .layers = layers}), number,
+             element, policies...);
 }
 
 template <class Run>

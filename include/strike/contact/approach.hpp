@@ -20,6 +20,11 @@ struct Touch {
   double given_away = 0;  ///< how deep it may be, for it began so deep [length]
   double stored = 0;      ///< by the law [energy]
   Index face = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(side, given_away, stored, face);
+  }
 };
 
 /// The nodes that began inside, and the deepest of them.
@@ -99,6 +104,11 @@ class Approach {
   double largest_yielding() const { return most_yielding_; }
   std::size_t sorts() const { return sorts_; }
   const std::vector<Index>& nodes() const { return nodes_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(nodes_, corners_, target_, touches_, search_, margin_, travelled_, most_yielding_, sorts_);
+  }
 
  private:
   void sort(const ContactNodes& all, double margin) {

@@ -137,6 +137,11 @@ class Contact {
   /// Who is paired, at work.
   const auto& meeting() const { return *meeting_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(all_, *meeting_, pairs_, impulse_, step_, kappa_);
+  }
+
  private:
   /// Against the velocity along the surface that the normal impulses have left.
   void rub(const ContactPair& pair) {

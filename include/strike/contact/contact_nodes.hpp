@@ -120,6 +120,11 @@ class ContactNodes {
   /// Of the first point that never moves.
   Index first_point() const { return static_cast<Index>(number_.size()); }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(pushed, dragged, touched_, is_touched_);
+  }
+
  private:
   void give(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
     if (!(inverse_mass_[i] > 0)) return;
@@ -150,6 +155,12 @@ struct ContactPair {
   double* stored = nullptr;  ///< the energy that the law has taken while the node touches, less what it gave back
   double yielding = 0;       ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
   double impulse = 0;        ///< what the law has given in this step [force time]
+
+  /// But for `stored`, which the next step gives it.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(node, corners, N, count, normal, gap, stiffness, yielding, impulse);
+  }
 
   /// Velocity of the node relative to the point that it touches.
   Eigen::Vector3d velocity(const ContactNodes& nodes) const {

@@ -93,11 +93,21 @@ class SurfaceMeeting {
     return std::find(changed.begin(), changed.end(), true) != changed.end();
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(std::span(surfaces_), std::span(ways_), std::span(approaches_));
+  }
+
  private:
   struct Way {
     std::vector<Index> nodes;
     bool fixed;
     std::size_t from, target;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(nodes);
+    }
   };
 
   std::vector<Surface> surfaces_;

@@ -105,6 +105,11 @@ class RigidApproach {
   void moved(const ContactNodes&, double) {}
   double largest_yielding() const { return most_yielding_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(touches_);
+  }
+
  private:
   /// Whether the node meets the body on its way: it may always go as far as it is away (sphere tracing, Hart 1996).
   bool meets(const Eigen::Vector3d& x, double gap, const Eigen::Vector3d& way) const {

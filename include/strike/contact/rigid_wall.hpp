@@ -68,6 +68,11 @@ class RigidWall {
   /// Its impulse since the begin.
   const Eigen::Vector3d& impulse() const { return impulse_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(force_, impulse_);
+  }
+
  private:
   Eigen::Vector3d point_, normal_;
   double friction_;

@@ -62,6 +62,12 @@ class BucketSearch {
   /// The nodes that have a face near, by their places in the list that was sorted.
   const std::vector<Index>& awake() const { return awake_; }
 
+  /// What the last `sort` found.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(begin_, near_, awake_);
+  }
+
  private:
   struct Box {
     Eigen::Vector3d lower = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), upper = -lower;

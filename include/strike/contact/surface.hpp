@@ -55,6 +55,11 @@ class Surface {
     return true;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(faces_, of_cells_);
+  }
+
  private:
   friend Surface solid_surface(const Cells<8>&, std::size_t);
   friend Surface solid_surface(const Cells<4>&, std::size_t);

@@ -98,6 +98,11 @@ class Target {
     return foot;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(faces_, across_, first_, at_);
+  }
+
  private:
   Index find_across(std::size_t k, unsigned i) const {
     const Index a = faces_[k][i], b = faces_[k][(i + 1) % count(k)];

@@ -90,6 +90,11 @@ class Tied {
   /// How many times the nodes had to be gone through in the last step.
   int sweeps() const { return sweeps_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(all_, step_, sweeps_);
+  }
+
  private:
   /// Takes the relative velocity that a node will have had, place and all, at the end of the step; returns what it was.
   double pull(std::size_t k, double dt) {

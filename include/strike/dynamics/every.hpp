@@ -27,6 +27,11 @@ class Every {
     act(run);
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(next_);
+  }
+
  private:
   template <class Run>
   void act(const Run& run) {

@@ -62,15 +62,18 @@ class Explicit {
 
   /// Steps until the time `end`, or until an observer `stops()` or a relaxation is at rest, and calls the observers
   /// before the first and after each step: `f()` or `f(run)`. The last step ends at `end` exactly. If the run has to be
-  /// given up, observers with a `last(run)` get it before the Error leaves.
+  /// given up, observers with a `last(run)` get it before the Error leaves. An observer may also `save(run, observers)`
+  /// after all have seen a step, and `resume(run, observers)`: whether it has put them where they once were.
   template <class... Observers>
   void until(double end, Observers&&... observers) {
     end_ = end;
-    (observe(observers), ...);
+    [[maybe_unused]] const auto all = std::tie(observers...);
+    if (!(resumes(observers, all) || ...)) (observe(observers), ...);
     try {
       while (clock_.time() < end_ && !is_at_rest() && !(stops(observers) || ...)) {
         step();
         (observe(observers), ...);
+        (save(observers, all), ...);
       }
     } catch (...) {
       (observe_last(observers), ...);
@@ -115,6 +118,18 @@ class Explicit {
     std::vector<Eigen::Vector3d> x(nodes_.size());
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i).template cast<double>();
     return x;
+  }
+  /// Whether all its things tell an archive what they remember.
+  template <class Archive>
+  static constexpr bool remembers() {
+    return (detail::Serializes<typename detail::Running<Things, Numbers, Nodes, Bound>::type, Archive> && ...);
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(nodes_, bound_, damping_, ledger_, energy_, step_, stable_, bounded_, smallest_step_, clock_);
+    each([&](auto& thing) {
+      if constexpr (detail::Serializes<decltype(thing), Archive>) archive(thing);
+    });
   }
   /// The i-th thing of the scene at work: a RunningPart, a load, a contact.
   template <std::size_t i>
@@ -185,6 +200,17 @@ class Explicit {
       observer(*this);
     else
       observer();
+  }
+  template <class Observer, class All>
+  bool resumes(Observer& observer, const All& all) {
+    if constexpr (requires { observer.resume(*this, all); })
+      return observer.resume(*this, all);
+    else
+      return false;
+  }
+  template <class Observer, class All>
+  void save(Observer& observer, const All& all) {
+    if constexpr (requires { observer.save(*this, all); }) observer.save(*this, all);
   }
 
   template <class Observer>

@@ -83,8 +83,16 @@ struct AskedBlock {
     const T left = max(T(0.0), 1.0 - (now.strain() - strain));
     return select(rate > 0.0, bound * max(T(1.0), now.own_rate / rate) / left, now.own_rate);
   }
+
+  /// But for the resistance, which is asked for anew.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(rate, strain);
+  }
 };
-struct NoPart {};
+struct NoPart {
+  void serialize(auto&) {}
+};
 template <class Thing>
 struct AskedBlocksOf {
   using type = NoPart;
@@ -96,7 +104,9 @@ struct AskedBlocksOf<RunningPart<E, M, T, Nodes, Removal>> {
 template <class Things>
 struct AskedBlocks;
 template <class... Things>
-struct AskedBlocks<std::tuple<Things...>> : std::tuple<typename AskedBlocksOf<Things>::type...> {};
+struct AskedBlocks<std::tuple<Things...>> : std::tuple<typename AskedBlocksOf<Things>::type...> {
+  std::tuple<typename AskedBlocksOf<Things>::type...>& all() { return *this; }
+};
 
 /// The largest eigenvalue of the symmetric tridiagonal matrix of these diagonals, from above to rounding: no pivot of T
 /// - x I is positive for x above it (Sturm).
@@ -180,6 +190,11 @@ class GlobalStep::Running {
     ask(own, nodes, things, execution);
     stable.dt = std::max(own, allowed_step(things, execution));
     lost_ = earned_ = 0;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(bound_, hope_, lost_, earned_, price_, patience_, asked_, products_, blocks_.all());
   }
 
   /// How often the mesh was asked, and by how many products with its matrix.

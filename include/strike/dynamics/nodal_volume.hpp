@@ -52,6 +52,11 @@ class NodalVolume {
     return T(1.0 / static_cast<double>(n)) * sum;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(reference_, ratio_);
+  }
+
  private:
   template <class T, std::size_t n>
   static void add(const T& change, std::vector<Real>& field, const BlockNodes<n, lanes<T>>& nodes, std::size_t count) {

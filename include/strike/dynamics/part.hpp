@@ -111,6 +111,7 @@ class RunningPart {
   static constexpr std::size_t width = lanes<T>;
   static constexpr bool erodes = std::same_as<Removal, Erosion>;
   using State = typename E::template State<M, T>;
+  static constexpr bool scales_mass = requires(State state) { state.mass_factor; };
 
   struct Block {
     BlockNodes<n, width> nodes;
@@ -200,12 +201,20 @@ class RunningPart {
   /// What the user should know of the material and of what was deleted, if anything: a sentence each.
   std::string notice() const {
     std::string text = material_notice();
+    if constexpr (scales_mass)
+      if (added_mass() > 0)
+        text += detail::joined({text.empty() ? "" : " ", "Mass scaling has added ", detail::text(added_mass()),
+                                " to part ", std::to_string(number_), ", ", detail::text(100 * added_mass() / mass_),
+                                " % of its mass; most to element ", std::to_string(scaling_.element), ", which has ",
+                                detail::text(scaling_.largest), " times its own."});
     if constexpr (erodes)
       if (deleted() > 0)
         text += detail::joined({text.empty() ? "" : " ", std::to_string(deleted()), " of ", std::to_string(size_),
                                 " elements of part ", std::to_string(number_), " have been deleted."});
     return text;
   }
+  /// What MassScaled has added to its elements [mass].
+  double added_mass() const requires scales_mass { return scaling_.added; }
   /// How many elements have been deleted, and in the last step.
   std::size_t deleted() const requires erodes { return deleted_; }
   std::size_t newly_deleted() const requires erodes { return newly_deleted_.deleted; }
@@ -253,6 +262,18 @@ class RunningPart {
   /// "element 7 of part 0 at (x, y, z)", its number as given.
   std::string describe(const Nodes& nodes, std::size_t e) const { return describe_at(nodes, place_of(e)); }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.same(detail::name_of<RunningPart>(), size_, order_);
+    for (Block& block : blocks_) {
+      archive.same(block.nodes);
+      archive(numbers_of<T>(block.state));
+      if constexpr (erodes) archive(block.removal);
+    }
+    if constexpr (averages_volume) archive(volume_);
+    if constexpr (erodes) archive(newly_deleted_, deleted_);
+  }
+
  private:
   template <class Visit>
   std::vector<double> mean_over_points(const Visit& visit) const {
@@ -285,7 +306,9 @@ class RunningPart {
     Block& block = blocks_[b];
     const auto given = element_.begin(block.state, material_, gather<T, n>(nodes.motion().position, block.nodes));
     const T mass = mass_of(given);
-    if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * mass);
+    T own = mass;
+    if constexpr (scales_mass) own = mass / block.state.mass_factor;
+    if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * own);
     for (std::size_t l = 0; l < count(b); ++l) {
       check_resolution(nodes, b * width + l);
       if (!(lane(mass, l) > 0))
@@ -295,7 +318,12 @@ class RunningPart {
         nodes.add_mass(i, static_cast<double>(lane(mass, l)));
         if constexpr (turns_nodes<E>()) nodes.add_inertia(i, static_cast<double>(lane(given.inertia, l)));
       }
-      mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
+      mass_ += static_cast<double>(n) * static_cast<double>(lane(own, l));
+      if constexpr (scales_mass) {
+        scaling_.added += static_cast<double>(n) * static_cast<double>(lane(mass, l) - lane(own, l));
+        if (const auto factor = static_cast<double>(lane(block.state.mass_factor, l)); factor > scaling_.largest)
+          scaling_.largest = factor, scaling_.element = order_[b * width + l];
+      }
     }
   }
 
@@ -514,6 +542,12 @@ class RunningPart {
   std::vector<Block> blocks_;
   detail::Patches patches_;
   std::vector<Outcome> outcomes_;
+  struct Scaling {
+    double added = 0, largest = 1;
+    std::size_t element = 0;
+  };
+  struct NoScaling {};
+  [[no_unique_address]] std::conditional_t<scales_mass, Scaling, NoScaling> scaling_;
   struct NoVolume {};
   struct NoCount {};
   using Volume = detail::NodalVolume<LaneOf<T>, loses_elements>;

@@ -28,6 +28,12 @@ concept HasAVerb = requires(Thing thing, Nodes<double> nodes) {
 || requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.touch(nodes, step, ledger); }
 || requires(Thing thing, std::vector<bool> alive) { thing.remove(std::size_t{}, alive); };
 
+/// Says what it remembers; see strike/output/archive.hpp.
+template <class Thing, class Archive>
+concept Serializes = requires(Thing& thing, Archive& archive) {
+  thing.serialize(archive);
+};
+
 template <class Thing>
 constexpr bool is_sound() {
   if constexpr (is_part<Thing>)
@@ -49,7 +55,8 @@ constexpr bool is_sound() {
 ///   taken from its nodes by `nodes.hold` in `begin`;
 /// - `touch(nodes, step, ledger)`: contact; corrects the velocities along what directions are `nodes.free`;
 /// - `remove(part, alive)`: after a `deform` that has deleted elements, once for each such part, given by its number;
-///   `alive[e]` says whether its element e is there.
+///   `alive[e]` says whether its element e is there;
+/// - `serialize(archive)`: what it remembers, for a Checkpoint; see strike/output/archive.hpp.
 template <class... Things>
 struct Scene {
   static_assert(

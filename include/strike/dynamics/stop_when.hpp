@@ -20,6 +20,11 @@ class StopWhen {
   /// Whether the run should end.
   bool stops() const { return met_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(met_);
+  }
+
  private:
   Condition condition_;
   bool met_ = false;

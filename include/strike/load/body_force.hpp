@@ -26,6 +26,11 @@ class BodyForce {
     return Nodes<double>::told(momentum).dot(now_);
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(now_);
+  }
+
  private:
   Eigen::Vector3d acceleration_, now_ = Eigen::Vector3d::Zero();
   History history_;

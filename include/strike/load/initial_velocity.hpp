@@ -20,6 +20,9 @@ class InitialVelocity {
     for (const Index i : nodes_) nodes.set_velocity(i, velocity_.cast<typename N::Number>());
   }
 
+  template <class Archive>
+  void serialize(Archive&) {}
+
  private:
   Eigen::Vector3d velocity_;
   bool everywhere_ = false;
@@ -36,6 +39,9 @@ class InitialVelocityField {
   void begin(N& nodes) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, field_(nodes.x(i)));
   }
+
+  template <class Archive>
+  void serialize(Archive&) {}
 
  private:
   Field field_;

@@ -26,6 +26,11 @@ class NodalForce {
     return sum;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(now_);
+  }
+
  private:
   Eigen::Vector3d force_, now_ = Eigen::Vector3d::Zero();
   std::vector<Index> nodes_;

@@ -21,6 +21,9 @@ class PrescribedMotion {
     for (const Index i : nodes_) nodes.hold(i, direction_, Held::moved);
   }
 
+  template <class Archive>
+  void serialize(Archive&) {}
+
   template <class N, class Ledger>
   void impose(double velocity, N& nodes, const Step& step, Ledger& ledger) const {
     for (const Index i : nodes_) {
@@ -45,6 +48,7 @@ template <class History>
 class PrescribedVelocity : detail::PrescribedMotion {
  public:
   using PrescribedMotion::begin;
+  using PrescribedMotion::serialize;
 
   PrescribedVelocity(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
       : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}
@@ -65,6 +69,7 @@ template <class History>
 class PrescribedDisplacement : detail::PrescribedMotion {
  public:
   using PrescribedMotion::begin;
+  using PrescribedMotion::serialize;
 
   PrescribedDisplacement(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
       : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}

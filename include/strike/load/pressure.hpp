@@ -39,6 +39,11 @@ class Pressure {
     return sum;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(forces_);
+  }
+
  private:
   static std::size_t corners(const std::array<Index, 4>& corner) { return corner[2] == corner[3] ? 3 : 4; }
 

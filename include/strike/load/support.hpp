@@ -41,6 +41,9 @@ class Support {
     ledger.contact.book_impulse(work, 0);
   }
 
+  template <class Archive>
+  void serialize(Archive&) {}
+
  private:
   struct Hold {
     Index node;

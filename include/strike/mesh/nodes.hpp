@@ -223,6 +223,13 @@ class Nodes {
   const std::vector<Plain>& mass() const { return mass_; }
   const std::vector<Plain>& inertia() const { return inertia_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.same(place_, mass_, inertia_);
+    archive(own_.position, own_.velocity, own_.force);
+    if constexpr (turn) archive(own_.angular_velocity, own_.moment);
+  }
+
  private:
   struct None {};
 

@@ -20,20 +20,20 @@ struct Column {
 };
 
 /// A CSV file that grows by a row whenever something is known: `history.row(t, length, energy)`. The head names columns
-/// as `name [unit]`. Numbers are the shortest that read back the same. Each row is complete in the file when `row`
-/// returns, even if the program is killed after. Errors: the file cannot be opened or written; a row of another length.
+/// as `name [unit]` and comes with the first row. Numbers are the shortest that read back the same. Each row is
+/// complete in the file when `row` returns, even if the program is killed after. Errors: the file cannot be opened or
+/// written; a row of another length.
 class History {
  public:
   History(std::string path, const std::vector<Column>& columns) : columns_(columns.size()), file_(std::move(path)) {
     if (columns.empty())
       throw Error(detail::joined({"History '", file_.path(), "' has no columns: name at least one."}));
-    std::string head;
     for (const Column& column : columns) {
-      if (!head.empty()) head += ',';
-      head += detail::csv_escaped(column.unit.empty() ? column.name
-                                                      : detail::joined({column.name, " [", column.unit, "]"}));
+      if (!line_.empty()) line_ += ',';
+      line_ += detail::csv_escaped(column.unit.empty() ? column.name
+                                                       : detail::joined({column.name, " [", column.unit, "]"}));
     }
-    file_.write(head + '\n');
+    line_ += '\n';
   }
 
   void row(std::span<const double> values) {
@@ -41,10 +41,10 @@ class History {
       throw Error(detail::joined({"History '", file_.path(), "' has ", std::to_string(columns_), " columns, but row ",
                                   std::to_string(rows_), " brings ", std::to_string(values.size()),
                                   " values: give one for each column."}));
-    line_.clear();
-    for (const double value : values) {
-      if (!line_.empty()) line_ += ',';
-      line_ += detail::shortest(value);
+    if (rows_ > 0) line_.clear();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) line_ += ',';
+      line_ += detail::shortest(values[i]);
     }
     file_.write(line_ += '\n');
     ++rows_;
@@ -59,10 +59,18 @@ class History {
   /// Rows written so far.
   std::size_t rows() const { return rows_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    std::uint64_t bytes = file_.size();
+    archive.same(columns_);
+    archive(rows_, bytes);
+    if (archive.reads() && bytes > 0) file_.go_on_behind(bytes);
+  }
+
  private:
   std::size_t columns_, rows_ = 0;
   detail::OutputFile file_;
-  std::string line_;
+  std::string line_;  // the head until the first row is written
 };
 
 }  // namespace strike

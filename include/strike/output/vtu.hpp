@@ -148,28 +148,45 @@ class VtuSeries {
   /// Adds one time; see `write_vtu`. Fields may be listed in place: `{{"velocity", v}}, {{"plastic strain", eps}}`.
   void write(double time, const Mesh& mesh, const Rows& positions, const std::vector<Field>& node_fields = {},
              const std::vector<Field>& cell_fields = {}) {
-    char number[16];
-    std::snprintf(number, sizeof number, "_%04zu.vtu", times_.size());
-    write_vtu(stem_ + number, time, mesh, positions, node_fields, cell_fields);
-    const std::string name = std::filesystem::path(stem_).filename().string() + number;  // relative to the lists
+    const std::size_t k = times_.size();
     times_.push_back(time);
-    const std::string t = detail::shortest(time);
-    list_.element("DataSet", {{"timestep", t}, {"part", 0}, {"file", name}});
-    series_ += detail::joined({times_.size() > 1 ? ",\n" : "", "{ \"name\": \"", name, "\", \"time\": ", t, " }"});
-    detail::replace_file(stem_ + ".pvd",
-                         detail::joined({"<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
-                                         "<Collection>\n",
-                                         list_.str(), "</Collection>\n</VTKFile>\n"}));
-    detail::replace_file(stem_ + ".vtu.series",
-                         detail::joined({"{ \"file-series-version\": \"1.0\", \"files\": [\n", series_, "\n] }\n"}));
+    write_vtu(stem_ + number(k), time, mesh, positions, node_fields, cell_fields);
+    write_lists();
   }
 
   /// Times written so far.
   const std::vector<double>& times() const { return times_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(times_);
+  }
+
  private:
-  std::string stem_, series_;
-  detail::Xml list_;
+  static std::string number(std::size_t k) {
+    char text[32];
+    std::snprintf(text, sizeof text, "_%04zu.vtu", k);
+    return text;
+  }
+
+  void write_lists() const {
+    const std::string name = std::filesystem::path(stem_).filename().string();  // relative to the lists
+    detail::Xml list;
+    std::string series;
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      const std::string t = detail::shortest(times_[k]), file = name + number(k);
+      list.element("DataSet", {{"timestep", t}, {"part", 0}, {"file", file}});
+      series += detail::joined({k > 0 ? ",\n" : "", "{ \"name\": \"", file, "\", \"time\": ", t, " }"});
+    }
+    detail::replace_file(stem_ + ".pvd",
+                         detail::joined({"<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                                         "<Collection>\n",
+                                         list.str(), "</Collection>\n</VTKFile>\n"}));
+    detail::replace_file(stem_ + ".vtu.series",
+                         detail::joined({"{ \"file-series-version\": \"1.0\", \"files\": [\n", series, "\n] }\n"}));
+  }
+
+  std::string stem_;
   std::vector<double> times_;
 };
 

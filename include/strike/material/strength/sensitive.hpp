@@ -15,6 +15,14 @@ namespace strike {
 
 namespace detail {
 
+template <class U>
+constexpr std::size_t variables_of() {
+  if constexpr (requires { U::variables(); })
+    return U::variables();
+  else
+    return 0;
+}
+
 /// A number with derivatives by N variables as the number U of a formula: with these derivatives if U carries them, be
 /// it deep inside (a dual number of duals), else as a constant.
 template <class U, std::size_t N>
@@ -22,10 +30,7 @@ U embedded(const Dual<double, N>& a) {
   constexpr bool nested = requires(U u) { u.value().value(); };
   if constexpr (nested) {
     return U(embedded<typename U::value_type>(a));
-  } else if constexpr (requires {
-                         requires U::variables()
-                         == N;
-                       }) {
+  } else if constexpr (variables_of<U>() == N) {
     std::array<typename U::value_type, N> derivatives;
     for (std::size_t k = 0; k < N; ++k) derivatives[k] = a.derivative(k);
     return {a.value(), derivatives};

@@ -1,0 +1,115 @@
+#pragma once
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/input/source.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// The cells of a part, ready for `Part{element, material, cells}`.
+struct PartCells {
+  Cells<8> hexahedra = {};
+  Cells<4> tetrahedra = {};
+  Cells<4> quadrilaterals = {};
+
+  /// Numbers of their nodes, in ascending order.
+  std::vector<Index> nodes() const {
+    std::vector<Index> all;
+    const auto add = [&](const auto& cells) {
+      for (const auto& cell : cells) all.insert(all.end(), cell.begin(), cell.end());
+    };
+    add(hexahedra), add(tetrahedra), add(quadrilaterals);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+};
+
+/// Nodes or cells under a name, a number or both.
+struct NamedSet {
+  FileNumber number = 0;  ///< 0 if the file gives a name alone
+  std::string name = {};
+  std::vector<Index> members = {};  ///< in ascending order
+};
+
+/// What a file says of a mesh, in its own units. Cells are counted hexahedra first, then tetrahedra, then
+/// quadrilaterals. Parts and sets are asked by name, or by their number in the file.
+struct Deck {
+  std::string title = {};
+  Mesh mesh = {};
+  std::vector<FileNumber> node_numbers = {};  ///< of each node of the mesh, that in the file
+  std::vector<FileNumber> cell_numbers = {};  ///< of each cell of the mesh, that in the file
+  std::vector<NamedSet> parts = {};           ///< of cells
+  std::vector<NamedSet> cell_sets = {};
+  std::vector<NamedSet> node_sets = {};
+  std::vector<std::string> notices = {};  ///< what was skipped, dropped or ignored: a sentence each
+
+  /// The cells of a part or, if no part has that name, of a set of cells. Error: neither is there.
+  PartCells part(std::string_view name) const {
+    for (const auto* sets : {&parts, &cell_sets})
+      if (const NamedSet* set = find(*sets, name)) return cells(set->members);
+    throw Error(detail::joined({"No part is called '", name, "': there are ", names(parts), "."}));
+  }
+  PartCells part(FileNumber number) const {
+    if (const NamedSet* set = find(parts, number)) return cells(set->members);
+    throw Error(detail::joined({"No part has the number ", std::to_string(number), ": there are ", names(parts), "."}));
+  }
+  /// The nodes of a set. Error: it is not there.
+  const std::vector<Index>& nodes(std::string_view name) const {
+    if (const NamedSet* set = find(node_sets, name)) return set->members;
+    throw Error(detail::joined({"No set of nodes is called '", name, "': there are ", names(node_sets), "."}));
+  }
+  const std::vector<Index>& nodes(FileNumber number) const {
+    if (const NamedSet* set = find(node_sets, number)) return set->members;
+    throw Error(detail::joined(
+        {"No set of nodes has the number ", std::to_string(number), ": there are ", names(node_sets), "."}));
+  }
+  /// The cells with these numbers in the mesh, all counted together.
+  PartCells cells(std::span<const Index> numbers) const {
+    PartCells chosen;
+    const std::size_t tetrahedra = mesh.hexahedra.size(), quadrilaterals = tetrahedra + mesh.tetrahedra.size();
+    for (const Index e : numbers)
+      if (e < tetrahedra)
+        chosen.hexahedra.push_back(mesh.hexahedra[e]);
+      else if (e < quadrilaterals)
+        chosen.tetrahedra.push_back(mesh.tetrahedra[e - tetrahedra]);
+      else
+        chosen.quadrilaterals.push_back(mesh.quadrilaterals.at(e - quadrilaterals));
+    return chosen;
+  }
+
+ protected:
+  static const NamedSet* find(const std::vector<NamedSet>& sets, std::string_view name) {
+    return only(sets, [&](const NamedSet& set) { return set.name == name; });
+  }
+  static const NamedSet* find(const std::vector<NamedSet>& sets, FileNumber number) {
+    return only(sets, [&](const NamedSet& set) { return set.number == number; });
+  }
+  template <class Predicate>
+  static const NamedSet* only(const std::vector<NamedSet>& sets, Predicate is_it) {
+    const auto set = std::find_if(sets.begin(), sets.end(), is_it);
+    if (set == sets.end()) return nullptr;
+    if (const auto other = std::find_if(set + 1, sets.end(), is_it); other != sets.end())
+      throw Error(detail::joined({"What is asked for is both ", std::to_string(set->number), " '", set->name, "' and ",
+                                  std::to_string(other->number), " '", other->name,
+                                  "': ask by what tells them apart, the name or the number."}));
+    return &*set;
+  }
+  static std::string names(const std::vector<NamedSet>& sets) {
+    if (sets.empty()) return "none";
+    std::string all;
+    for (const NamedSet& set : std::span(sets).first(std::min<std::size_t>(sets.size(), 10))) {
+      if (!all.empty()) all += ", ";
+      all += set.name.empty() ? std::to_string(set.number) : detail::joined({"'", set.name, "'"});
+    }
+    return sets.size() > 10 ? all + ", ..." : all;
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,51 @@
+#pragma once
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <strike/input/dyna/draft.hpp>
+#include <strike/input/dyna/file.hpp>
+#include <strike/input/dyna/loads.hpp>
+#include <strike/input/dyna/materials.hpp>
+#include <strike/input/dyna/mesh.hpp>
+#include <strike/input/dyna/resolved.hpp>
+#include <strike/input/dyna/sections.hpp>
+#include <strike/input/dyna_cards.hpp>
+#include <strike/input/source.hpp>
+
+namespace strike {
+namespace detail::dyna {
+
+/// What reads the cards of a keyword; null if nothing does.
+inline const Keyword* find_keyword(std::string_view name) {
+  const Keyword* found = nullptr;
+  const auto search = [&](const auto& keywords) {
+    for (const Keyword& keyword : keywords)
+      if (keyword.name == name) found = &keyword;
+  };
+  search(mesh_keywords), search(material_keywords), search(section_keywords), search(load_keywords);
+  return found;
+}
+
+}  // namespace detail::dyna
+
+/// The mesh and the cards of an LS-DYNA keyword file (.k, .key, .dyn) in the standard format, of fixed columns or with
+/// commas. Which keywords are read says docs/read_a_mesh.md; others are skipped with a notice, and so are values that
+/// have no counterpart here. `name` stands in messages. Errors: `*INCLUDE`; the long formats; elements of higher order,
+/// wedges; a number that is none, or is there twice; a node, set or part that is not there; a material without a
+/// density or a modulus.
+inline DynaDeck read_dyna(std::string_view text, std::string name) {
+  detail::dyna::File file(detail::Source(text, std::move(name)));
+  detail::dyna::Draft draft;
+  while (file.next_keyword()) {
+    if (const auto* const keyword = detail::dyna::find_keyword(file.base()))
+      keyword->read(file, draft);
+    else
+      file.skip();
+  }
+  return detail::dyna::resolved(std::move(draft), file);
+}
+inline DynaDeck read_dyna(const std::string& path) { return read_dyna(detail::content_of_file(path), path); }
+
+}  // namespace strike

@@ -1,0 +1,75 @@
+#pragma once
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <strike/input/dyna/file.hpp>
+#include <strike/input/dyna_cards.hpp>
+#include <strike/input/raw_mesh.hpp>
+
+namespace strike::detail::dyna {
+
+/// Nodes that a card names; which they are is known when all is read.
+enum class Named { all, node, set, part, part_set };
+struct Choice {
+  Named named;
+  FileNumber number;
+  std::uint32_t line;
+};
+
+/// A card, and the nodes that it is to have.
+template <class Card>
+struct Pending {
+  Card card;
+  std::vector<Choice> choices;
+};
+
+/// The side of a contact: SSID with SSTYP, or MSID with MSTYP.
+struct Side {
+  FileNumber number, kind;
+};
+struct PendingContact {
+  ContactCard card;
+  Side slave, master;
+  std::uint32_t line;
+};
+
+/// What is gathered, keyword by keyword; `resolved` makes a deck of it.
+struct Draft {
+  DynaDeck deck = {};
+  RawMesh raw = {};
+  std::map<FileNumber, std::uint32_t> parts = {};  ///< their places in the deck
+  std::vector<RawMesh::Set> part_sets = {};
+  std::vector<Pending<SupportCard>> node_supports = {};  ///< one for each way of being held
+  std::vector<Pending<SupportCard>> set_supports = {};
+  std::vector<Pending<VelocityCard>> velocities = {};
+  std::vector<Pending<WallCard>> walls = {};
+  std::vector<PendingContact> contacts = {};
+
+  /// The place of a part; its elements are the group of that number.
+  std::uint32_t part(FileNumber number) {
+    const auto [place, is_new] = parts.try_emplace(number, static_cast<std::uint32_t>(raw.parts.size()));
+    if (is_new) {
+      raw.groups.push_back({place->second});
+      raw.parts.push_back({number, {}, {}});
+    }
+    return place->second;
+  }
+  void support_node(const SupportCard& way, const Choice& node) {
+    const auto known = std::find_if(node_supports.begin(), node_supports.end(), [&](const auto& support) {
+      return support.card.held == way.held && support.card.held_turns == way.held_turns;
+    });
+    (known != node_supports.end() ? *known : node_supports.emplace_back(Pending<SupportCard>{way, {}}))
+        .choices.push_back(node);
+  }
+};
+
+/// A keyword that is understood, and what reads its cards.
+struct Keyword {
+  std::string_view name;  ///< without _TITLE and _ID
+  void (*read)(File&, Draft&);
+};
+
+}  // namespace strike::detail::dyna

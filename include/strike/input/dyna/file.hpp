@@ -1,0 +1,190 @@
+#pragma once
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/input/source.hpp>
+
+namespace strike::detail::dyna {
+
+/// A data line: fields of fixed widths, or between commas. What is blank or missing is the fallback.
+class Card {
+ public:
+  Card(std::string_view line, const Source& source)
+      : rest_(line), source_(&source), commas_(line.find(',') != line.npos) {}
+
+  std::string_view text(std::size_t width = 10) {
+    if (commas_) return trimmed(taken(rest_, ','));
+    const std::string_view field = rest_.substr(0, width);
+    rest_.remove_prefix(field.size());
+    return trimmed(field);
+  }
+  double number(std::string_view meaning, double fallback = 0, std::size_t width = 10) {
+    const std::string_view field = text(width);
+    return field.empty() ? fallback : source_->number(field, meaning);
+  }
+  FileNumber integer(std::string_view meaning, FileNumber fallback = 0, std::size_t width = 10) {
+    const std::string_view field = text(width);
+    return field.empty() ? fallback : source_->integer(field, meaning);
+  }
+  /// The number of a thing in the file; 0, which names none, if it is blank.
+  FileNumber tag(std::string_view meaning, std::size_t width = 10) {
+    const std::string_view field = text(width);
+    return field.empty() ? 0 : source_->tag(field, meaning, 0);
+  }
+  /// The number of a thing that the card defines.
+  FileNumber own_tag(std::string_view meaning, std::string_view thing, std::size_t width = 10) {
+    const FileNumber number = tag(meaning, width);
+    if (number == 0) source_->refuse({"a ", thing, " has no number: number from 1."});
+    return number;
+  }
+  double positive(std::string_view meaning) {
+    const double value = number(meaning);
+    if (!(value > 0)) source_->refuse({meaning, " is not positive: give the material its ", meaning, "."});
+    return value;
+  }
+  Eigen::Vector3d vector(std::string_view meaning) {
+    const double x = number(meaning), y = number(meaning), z = number(meaning);
+    return {x, y, z};
+  }
+  void pass(std::size_t fields) {
+    while (fields-- > 0) text();
+  }
+  /// All that is left of the line, as it stands.
+  std::string_view rest() const { return trimmed(rest_); }
+  bool is_blank() const { return rest().empty(); }
+  /// Whether a field that was not read says more than 0.
+  bool says_more() {
+    while (!is_blank())
+      if (const std::string_view field = text(); !field.empty() && to_number(field) != 0.0) return true;
+    return false;
+  }
+
+ private:
+  std::string_view rest_;
+  const Source* source_;
+  bool commas_;
+};
+
+/// A file, keyword by keyword and card by card (LS-DYNA Keyword User's Manual R13, volume I, "Getting started").
+class File {
+ public:
+  explicit File(Source source) : source_(std::move(source)) {}
+
+  /// Goes to the next keyword, past the cards that are left. False at *END and at the end. Error: there is no keyword;
+  /// one asks for another format or another file.
+  bool next_keyword() {
+    if (!name_.empty()) pass_further_cards();
+    std::string_view line;
+    while (name_ != "*END" && source_.next(line)) {
+      if (line.empty() || line[0] == '$' || trimmed(line).empty()) continue;
+      if (line[0] != '*') refuse({shown(line), " stands before any keyword: begin the file with *KEYWORD."});
+      begin(upper(trimmed(line)));
+      return true;
+    }
+    if (name_.empty()) refuse({"the file has no keyword: give an LS-DYNA keyword file."});
+    return false;
+  }
+  /// The keyword, as it stands and without _TITLE or _ID.
+  const std::string& name() const { return name_; }
+  std::string_view base() const { return base_; }
+  /// The keyword is not understood: its cards are skipped.
+  void skip() {
+    skipped_.add(name_.substr(0, 60), source_.line());
+    is_skipped_ = true;
+  }
+
+  /// The next card of the keyword; a blank one if there is none.
+  Card card() {
+    std::string_view line;
+    return next_line(line) ? Card(line, source_) : Card({}, source_);
+  }
+  bool pass_card() {
+    std::string_view line;
+    return next_line(line);
+  }
+  /// Calls f with each card that is left; blank lines say nothing there.
+  template <class F>
+  void for_each_card(F f) {
+    std::string_view line;
+    while (next_line(line))
+      if (!trimmed(line).empty()) f(Card(line, source_));
+  }
+  /// The same where each card of a keyword with _TITLE or _ID stands after a title.
+  template <class F>
+  void for_each_titled_card(F f) {
+    for_each_card([&](const Card& first) { f(titled_ ? card() : first); });
+  }
+  /// The next line as a text.
+  std::string heading() { return std::string(card().rest()); }
+  /// The title that stands before the cards of a keyword with _TITLE or _ID.
+  std::string title() { return titled_ ? heading() : std::string(); }
+
+  /// A value that has no counterpart here is listed unless it is 0.
+  void ignore(double value, std::string_view what) {
+    if (value != 0) values_.add(joined({what, " of ", name_}), source_.line());
+  }
+  /// Lists fields of cards that were not read and say more than 0.
+  template <class... Cards>
+  void ignore_rest(Cards&... cards) {
+    (ignore(cards.says_more(), "Further fields"), ...);
+  }
+  void ignore_on_line(std::uint32_t line, std::string_view what) { values_.add(what, line); }
+
+  const Source& source() const { return source_; }
+  std::uint32_t line() const { return source_.line(); }
+  [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { source_.refuse(what); }
+
+  void tell(std::vector<std::string>& notices) const {
+    skipped_.tell(notices, " was skipped: ");
+    values_.tell(notices, " had no effect: ");
+  }
+
+ private:
+  /// The next data line of the keyword, without comments.
+  bool next_line(std::string_view& line) {
+    while (source_.peek() != '\0' && source_.peek() != '*') {
+      source_.next(line);
+      if (line.empty() || line[0] != '$') return true;
+    }
+    return false;
+  }
+  void pass_further_cards() {
+    std::string_view line;
+    if (!next_line(line)) return;
+    const std::uint32_t at = source_.line();
+    bool blank = trimmed(line).empty();
+    while (next_line(line)) blank &= trimmed(line).empty();
+    if (!is_skipped_ && !blank) values_.add(joined({"What follows the cards of ", name_}), at);
+  }
+  void begin(const std::string& line) {
+    name_ = line.substr(0, line.find_first_of(" \t,"));
+    is_skipped_ = false;
+    if (name_.back() == '-') name_.pop_back();
+    const auto has = [&](std::string_view option) { return line.find(option) != line.npos; };
+    if (name_.ends_with('+') || name_.ends_with('%') || has(" %") ||
+        (name_ == "*KEYWORD" && (has("LONG=Y") || has("I10=Y"))))
+      refuse({"the file is in the long or the I10 format: write it in the standard one."});
+    if (name_.starts_with("*INCLUDE")) refuse({name_, " is not followed: put the text of that file here."});
+    base_ = name_;
+    const auto drop = [&](std::string_view option) {
+      const bool found = base_.size() > option.size() && base_.ends_with(option);
+      if (found) base_.resize(base_.size() - option.size());
+      return found;
+    };
+    const bool contact = base_.starts_with("*CONTACT_");
+    const bool has_id = contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_");
+    titled_ = (has_id && drop("_ID")) || ((contact || !has_id) && drop("_TITLE"));
+  }
+
+  Source source_;
+  std::string name_ = {}, base_ = {};
+  bool titled_ = false, is_skipped_ = false;
+  Skipped skipped_ = {}, values_ = {};
+};
+
+}  // namespace strike::detail::dyna

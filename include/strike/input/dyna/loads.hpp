@@ -1,0 +1,137 @@
+#pragma once
+#include <array>
+#include <string>
+#include <utility>
+
+#include <strike/input/dyna/draft.hpp>
+
+// Supports, initial velocities, rigid walls and contacts: what acts on nodes and parts.
+namespace strike::detail::dyna {
+
+inline std::pair<SupportCard, Choice> support(Card card, Named named, File& file) {
+  const Choice choice{named, card.own_tag(named == Named::node ? "NID" : "NSID", "support"), file.line()};
+  file.ignore(card.number("CID"), "CID");
+  SupportCard support{};
+  for (bool& held : support.held) held = card.integer("DOFX to DOFZ") != 0;
+  for (bool& held : support.held_turns) held = card.integer("DOFRX to DOFRZ") != 0;
+  return {support, choice};
+}
+inline void node_supports(File& file, Draft& draft) {
+  file.for_each_titled_card([&](const Card& card) {
+    const auto [way, node] = support(card, Named::node, file);
+    draft.support_node(way, node);
+  });
+}
+inline void set_supports(File& file, Draft& draft) {
+  file.for_each_titled_card([&](const Card& card) {
+    const auto [way, set] = support(card, Named::set, file);
+    draft.set_supports.push_back({way, {set}});
+  });
+}
+
+/// The nodes of a set, or all if it has no number.
+inline Choice set_or_all(FileNumber set, std::uint32_t line) { return {set == 0 ? Named::all : Named::set, set, line}; }
+inline void velocity(File& file, Draft& draft) {
+  Card card = file.card(), values = file.card();
+  const FileNumber set = card.tag("NSID");
+  for (const char* what : {"NSIDEX", "BOXID", "IRIGID", "ICID"}) file.ignore(card.number(what), what);
+  const VelocityCard velocity{{}, values.vector("VX to VZ")};
+  file.ignore(values.vector("VXR to VZR").norm(), "VXR to VZR");
+  draft.velocities.push_back({velocity, {set_or_all(set, file.line())}});
+}
+/// Nodes that follow each other with the same velocity are one card.
+inline void node_velocities(File& file, Draft& draft) {
+  file.for_each_card([&](Card card) {
+    const Choice node{Named::node, card.own_tag("NID", "velocity"), file.line()};
+    const VelocityCard velocity{{}, card.vector("VX to VZ")};
+    file.ignore(card.vector("VXR to VZR").norm(), "VXR to VZR");
+    file.ignore(card.number("ICID"), "ICID");
+    auto& all = draft.velocities;
+    if (all.empty() || all.back().card.velocity != velocity.velocity || all.back().choices[0].named != Named::node)
+      all.push_back({velocity, {}});
+    all.back().choices.push_back(node);
+  });
+}
+inline void generated_velocities(File& file, Draft& draft) {
+  file.for_each_card([&](Card card) {
+    const std::uint32_t line = file.line();
+    const FileNumber number = card.tag("ID"), kind = card.integer("STYP");
+    const double omega = card.number("OMEGA");
+    VelocityCard velocity{{}, card.vector("VX to VZ")};
+    Card turn = file.card();
+    velocity.centre = turn.vector("XC to ZC");
+    const Eigen::Vector3d axis = turn.vector("NX to NZ");
+    if (omega != 0 && axis[0] == -999)
+      file.ignore(1, "OMEGA about an axis between nodes");
+    else if (omega != 0) {
+      if (!(axis.norm() > 0)) file.refuse({"the axis of a spin has no direction: give NX, NY and NZ."});
+      velocity.spin = omega / axis.norm() * axis;
+    }
+    file.ignore(turn.number("PHASE"), "PHASE");
+    file.ignore_rest(card, turn);
+    if (number != 0 && (kind < 1 || kind > 3))
+      file.refuse({"STYP ", std::to_string(kind), " is none: give 1 (part set), 2 (part) or 3 (node set)."});
+    constexpr std::array<Named, 4> kinds{Named::all, Named::part_set, Named::part, Named::set};
+    draft.velocities.push_back({velocity, {{kinds[number == 0 ? 0 : std::size_t(kind)], number, line}}});
+  });
+}
+
+/// A time of death that no run lives to see says nothing.
+inline double early(double death) { return death < 1e20 ? death : 0; }
+
+inline void wall(File& file, Draft& draft) {
+  file.title();
+  Card card = file.card();
+  const std::uint32_t line = file.line();
+  const FileNumber set = card.tag("NSID");
+  for (const char* what : {"NSIDEX", "BOXID", "OFFSET", "BIRTH"}) file.ignore(card.number(what), what);
+  file.ignore(early(card.number("DEATH")), "DEATH");
+  Card plane = file.card();
+  WallCard wall{plane.vector("XT to ZT"), {}, {}, 0};
+  wall.normal = plane.vector("XH to ZH") - wall.point;
+  if (!(wall.normal.norm() > 0))
+    file.refuse({"the normal of the wall has no length: give it a head that is not its tail."});
+  wall.normal.normalize();
+  wall.friction = plane.number("FRIC");
+  file.ignore_rest(card, plane);
+  draft.walls.push_back({wall, {set_or_all(set, line)}});
+}
+
+inline void contact(File& file, Draft& draft) {
+  file.title();
+  Card card = file.card();
+  const std::uint32_t line = file.line();
+  Side slave{card.tag("SSID"), 0}, master{card.tag("MSID"), 0};
+  slave.kind = card.integer("SSTYP"), master.kind = card.integer("MSTYP");
+  file.ignore(card.number("SBOXID"), "SBOXID");
+  file.ignore(card.number("MBOXID"), "MBOXID");
+  Card friction = file.card();
+  ContactCard contact{std::string(file.base().substr(std::string_view("*CONTACT_AUTOMATIC_").size())), {}, {}};
+  contact.static_friction = friction.number("FS");
+  contact.dynamic_friction = friction.number("FD");
+  contact.decay = friction.number("DC");
+  for (const char* what : {"VC", "VDC", "PENCHK", "BT"}) file.ignore(friction.number(what), what);
+  file.ignore(early(friction.number("DT")), "DT");
+  Card scales = file.card();
+  for (const char* what : {"SFS", "SFM", "SST", "MST", "SFST", "SFMT", "FSF", "VSF"}) {
+    const double value = scales.number(what);
+    file.ignore(value == 1 ? 0 : value, what);
+  }
+  draft.contacts.push_back({std::move(contact), slave, master, line});
+}
+
+inline constexpr auto load_keywords = std::to_array<Keyword>({
+    {"*BOUNDARY_SPC_NODE", node_supports},
+    {"*BOUNDARY_SPC_SET", set_supports},
+    {"*INITIAL_VELOCITY", velocity},
+    {"*INITIAL_VELOCITY_NODE", node_velocities},
+    {"*INITIAL_VELOCITY_GENERATION", generated_velocities},
+    {"*RIGIDWALL_PLANAR", wall},
+    {"*CONTACT_AUTOMATIC_SINGLE_SURFACE", contact},
+    {"*CONTACT_AUTOMATIC_GENERAL", contact},
+    {"*CONTACT_AUTOMATIC_NODES_TO_SURFACE", contact},
+    {"*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", contact},
+    {"*CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", contact},
+});
+
+}  // namespace strike::detail::dyna

@@ -1,0 +1,84 @@
+#pragma once
+#include <array>
+
+#include <strike/input/dyna/draft.hpp>
+
+// Sections, hourglass control, and what a run is told: its title, end and step.
+namespace strike::detail::dyna {
+
+inline void solid_section(File& file, Draft& draft) {
+  file.for_each_titled_card([&](Card card) {
+    const FileNumber number = card.tag("SECID");
+    draft.deck.sections.push_back(
+        {.number = number, .element_form = card.integer("ELFORM", 1), .corner_thickness = {}});
+  });
+}
+inline void shell_section(File& file, Draft& draft) {
+  file.for_each_titled_card([&](Card card) {
+    SectionCard section{.number = card.tag("SECID"), .element_form = card.integer("ELFORM", 2), .corner_thickness = {}};
+    section.shear_factor = card.number("SHRF", 1);
+    section.points = card.integer("NIP", 2);
+    card.pass(1);
+    file.ignore(card.number("QR/IRID"), "QR/IRID");
+    const bool angles = card.integer("ICOMP") == 1;
+    Card thicknesses = file.card();
+    for (double& t : section.corner_thickness) t = thicknesses.number("T1 to T4");
+    section.thickness = section.corner_thickness[0];
+    for (double& t : section.corner_thickness)
+      if (t == 0) t = section.thickness;
+    section.reference = thicknesses.number("NLOC");
+    if (angles) {
+      file.ignore(1, "The angle of each layer");
+      for (FileNumber left = section.points; left > 0 && file.pass_card(); left -= 8) {
+      }
+    }
+    draft.deck.sections.push_back(section);
+  });
+}
+inline void hourglass(File& file, Draft& draft) {
+  file.for_each_titled_card([&](Card card) {
+    HourglassCard control{.number = card.tag("HGID"), .type = card.integer("IHQ", 1)};
+    control.coefficient = card.number("QM", 0.1);
+    card.pass(1);
+    control.quadratic = card.number("Q1", 1.5);
+    control.linear = card.number("Q2", 0.06);
+    control.bending = card.number("QB", control.coefficient);
+    control.warping = card.number("QW", control.coefficient);
+    draft.deck.hourglass_controls.push_back(control);
+  });
+}
+
+inline void nothing_more(File&, Draft&) {}
+inline void title(File& file, Draft& draft) { draft.deck.title = file.heading(); }
+inline void termination(File& file, Draft& draft) {
+  Card card = file.card();
+  draft.deck.end_time = card.number("ENDTIM");
+  file.ignore(card.number("ENDCYC"), "ENDCYC");
+  file.ignore(card.number("DTMIN"), "DTMIN");
+}
+inline void time_step(File& file, Draft& draft) {
+  Card card = file.card();
+  file.ignore(card.number("DTINIT"), "DTINIT");
+  draft.deck.step_factor = card.number("TSSFAC", 0.9);
+  card.pass(2);
+  file.ignore(card.number("DT2MS"), "DT2MS");
+}
+inline void bulk_viscosity(File& file, Draft& draft) {
+  Card card = file.card();
+  const double quadratic = card.number("Q1", 1.5);
+  draft.deck.bulk_viscosity = {quadratic, card.number("Q2", 0.06)};
+}
+
+inline constexpr auto section_keywords = std::to_array<Keyword>({
+    {"*SECTION_SOLID", solid_section},
+    {"*SECTION_SHELL", shell_section},
+    {"*HOURGLASS", hourglass},
+    {"*KEYWORD", nothing_more},
+    {"*END", nothing_more},
+    {"*TITLE", title},
+    {"*CONTROL_TERMINATION", termination},
+    {"*CONTROL_TIMESTEP", time_step},
+    {"*CONTROL_BULK_VISCOSITY", bulk_viscosity},
+});
+
+}  // namespace strike::detail::dyna

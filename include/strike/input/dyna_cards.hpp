@@ -1,0 +1,226 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <strike/input/deck.hpp>
+#include <strike/material/elastic.hpp>
+#include <strike/material/eos/gruneisen.hpp>
+#include <strike/material/eos/linear.hpp>
+#include <strike/material/eos/polynomial.hpp>
+#include <strike/material/failure/failure.hpp>
+#include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/von_mises.hpp>
+#include <strike/mesh/select.hpp>
+#include <strike/tensor/tensor.hpp>
+
+// The cards of an LS-DYNA deck as values (LS-DYNA Keyword User's Manual R13, volumes I and II). Numbers are in the
+// units of the deck.
+namespace strike {
+
+/// *MAT_PLASTIC_KINEMATIC, and *MAT_PIECEWISE_LINEAR_PLASTICITY without curves: `Solid{m.eos, m.strength}`.
+struct PlasticMaterial {
+  LinearEos eos;
+  RateVonMises strength;  ///< H = E ETAN/(E - ETAN); Cowper and Symonds' D and p as D^(-1/p) and 1/p
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_ELASTIC_PLASTIC_HYDRO without a table: `Solid{deck.eos<PolynomialEos>(part), m.strength}`.
+struct HydroMaterial {
+  double density;
+  VonMises strength;
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_JOHNSON_COOK: `Solid{deck.eos<GruneisenEos>(part), m.strength}`.
+struct JohnsonCookMaterial {
+  double density;
+  JohnsonCook strength;          ///< heated by all of its plastic work, 1/(RO CP)
+  std::array<double, 5> damage;  ///< D1 to D5 of the strain at fracture
+};
+
+/// *MAT_NULL: `Fluid{deck.eos<PolynomialEos>(part), Newtonian{m.viscosity}}`.
+struct NullMaterial {
+  double density;
+  double viscosity;  ///< MU, dynamic [stress time]
+};
+
+/// A *MAT_... card.
+struct MaterialCard {
+  FileNumber number;
+  std::string keyword;
+  std::string title;
+  std::variant<Elastic, PlasticMaterial, HydroMaterial, JohnsonCookMaterial, NullMaterial> material;
+  std::optional<double> pressure_cutoff = {};  ///< PC, where it is not 0
+};
+
+/// An *EOS_... card; its density and cut-off stand with the material.
+struct EosCard {
+  FileNumber number;
+  std::string keyword;
+  std::variant<PolynomialEos, GruneisenEos> eos;
+};
+
+/// *SECTION_SOLID, and *SECTION_SHELL with its thickness.
+struct SectionCard {
+  FileNumber number;
+  FileNumber element_form;                 ///< ELFORM
+  double thickness = 0;                    ///< T1 [length]
+  FileNumber points = 2;                   ///< NIP, over the thickness
+  double shear_factor = 1;                 ///< SHRF
+  double reference = 0;                    ///< NLOC: 1 if the nodes lie in the top, -1 in the bottom
+  std::array<double, 4> corner_thickness;  ///< T1 to T4 [length]
+};
+
+/// *HOURGLASS.
+struct HourglassCard {
+  FileNumber number;
+  FileNumber type;                        ///< IHQ
+  double coefficient = 0.1;               ///< QM
+  double linear = 0.06, quadratic = 1.5;  ///< Q2 and Q1 of the bulk viscosity
+  double bending = 0.1, warping = 0.1;    ///< QB and QW of plates
+};
+
+/// *PART: the numbers of its other cards, 0 if it has none.
+struct PartCard {
+  FileNumber number;
+  std::string name;
+  FileNumber section, material, eos, hourglass;
+};
+
+/// *BOUNDARY_SPC_..., and TC and RC of *NODE: `Support{s.nodes, s.directions(), s.axes()}`.
+struct SupportCard {
+  std::vector<Index> nodes;
+  std::array<bool, 3> held, held_turns;  ///< along and about x, y, z
+
+  std::vector<Eigen::Vector3d> directions() const { return along(held); }
+  std::vector<Eigen::Vector3d> axes() const { return along(held_turns); }
+
+ private:
+  static std::vector<Eigen::Vector3d> along(const std::array<bool, 3>& axes) {
+    std::vector<Eigen::Vector3d> all;
+    for (const Axis axis : {Axis::x, Axis::y, Axis::z})
+      if (axes[static_cast<std::size_t>(axis)]) all.push_back(unit(axis));
+    return all;
+  }
+};
+
+/// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, v.nodes}`; with a spin ask `v.at(x)` of each node.
+struct VelocityCard {
+  std::vector<Index> nodes;
+  Eigen::Vector3d velocity;
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();    ///< [1/time]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< a point of its axis
+
+  Eigen::Vector3d at(const Eigen::Vector3d& x) const { return velocity + cross<double>(spin, x - centre); }
+};
+
+/// *RIGIDWALL_PLANAR: `RigidWall{w.point, w.normal, w.nodes, w.friction}`.
+struct WallCard {
+  Eigen::Vector3d point, normal;
+  std::vector<Index> nodes;
+  double friction;
+};
+
+/// One side of a contact: the parts or the nodes that it names. Neither: all parts.
+struct ContactSide {
+  std::vector<FileNumber> parts = {};
+  std::vector<Index> nodes = {};
+};
+
+/// *CONTACT_AUTOMATIC_...
+struct ContactCard {
+  std::string kind;  ///< what follows *CONTACT_AUTOMATIC_, such as "SURFACE_TO_SURFACE"
+  ContactSide slave, master;
+  double static_friction = 0, dynamic_friction = 0, decay = 0;  ///< FS, FD, DC: FD + (FS - FD) exp(-DC v)
+};
+
+/// What an LS-DYNA deck says of a mesh, and of the rest. The cards of a part are asked by its name or number.
+struct DynaDeck : Deck {
+  std::vector<PartCard> part_cards = {};
+  std::vector<MaterialCard> materials = {};
+  std::vector<EosCard> equations_of_state = {};
+  std::vector<SectionCard> sections = {};
+  std::vector<HourglassCard> hourglass_controls = {};
+  std::vector<SupportCard> supports = {};
+  std::vector<VelocityCard> velocities = {};
+  std::vector<WallCard> walls = {};
+  std::vector<ContactCard> contacts = {};
+  std::vector<NamedSet> part_sets = {};             ///< members are places in `parts`
+  double end_time = 0;                              ///< ENDTIM, 0 if there is none [time]
+  double step_factor = 0;                           ///< TSSFAC, 0 if there is none
+  std::array<double, 2> bulk_viscosity{1.5, 0.06};  ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
+
+  /// The material of a part, as what it is there. Error: the part has none, or one of another kind.
+  template <class M, class Part>
+  const M& material(const Part& part) const {
+    const MaterialCard& card = material_card(part);
+    if (const M* found = std::get_if<M>(&card.material)) return *found;
+    throw Error(detail::joined({"The material ", std::to_string(card.number), " of part ", text_of(part), " is ",
+                                card.keyword, ", not what was asked for: ask for that."}));
+  }
+  /// The equation of state of a part, with the density and the cut-off of its material.
+  template <class E, class Part>
+  E eos(const Part& part) const {
+    const MaterialCard& material = material_card(part);
+    const EosCard& card = card_of(equations_of_state, card_of_part(part).eos, "equation of state", text_of(part));
+    const E* const found = std::get_if<E>(&card.eos);
+    if (!found)
+      throw Error(detail::joined({"The equation of state ", std::to_string(card.number), " of part ", text_of(part),
+                                  " is ", card.keyword, ", not what was asked for: ask for that."}));
+    E eos = *found;
+    eos.density = std::visit(
+        [](const auto& m) -> double {
+          if constexpr (requires { m.reference_density; })
+            return m.reference_density;
+          else if constexpr (requires { m.eos; })
+            return m.eos.density;
+          else
+            return m.density;
+        },
+        material.material);
+    if (material.pressure_cutoff) eos.pressure_cutoff = *material.pressure_cutoff;
+    return eos;
+  }
+  /// The section, and the hourglass control, of a part. Error: it has none.
+  template <class Part>
+  const SectionCard& section(const Part& part) const {
+    return card_of(sections, card_of_part(part).section, "section", text_of(part));
+  }
+  template <class Part>
+  const HourglassCard& hourglass(const Part& part) const {
+    return card_of(hourglass_controls, card_of_part(part).hourglass, "hourglass control", text_of(part));
+  }
+
+ private:
+  static std::string text_of(std::string_view name) { return detail::joined({"'", name, "'"}); }
+  static std::string text_of(FileNumber number) { return std::to_string(number); }
+
+  const PartCard& card_of_part(std::string_view name) const {
+    if (const NamedSet* const part = find(parts, name)) return card_of_part(part->number);
+    throw Error(detail::joined({"No *PART is called '", name, "': there are ", names(parts), "."}));
+  }
+  const PartCard& card_of_part(FileNumber number) const {
+    for (const PartCard& card : part_cards)
+      if (card.number == number) return card;
+    throw Error(
+        detail::joined({"No *PART has the number ", std::to_string(number), ": there are ", names(parts), "."}));
+  }
+  template <class Part>
+  const MaterialCard& material_card(const Part& part) const {
+    return card_of(materials, card_of_part(part).material, "material", text_of(part));
+  }
+  template <class Card>
+  static const Card& card_of(const std::vector<Card>& cards, FileNumber number, const char* kind,
+                             const std::string& part) {
+    for (const Card& card : cards)
+      if (card.number == number) return card;
+    throw Error(detail::joined({"Part ", part, " names the ", kind, " ", std::to_string(number),
+                                ", which the deck does not have or the reader skipped: see its notices."}));
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,295 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/input/deck.hpp>
+#include <strike/input/source.hpp>
+#include <strike/mesh/mesh.hpp>
+
+namespace strike::detail {
+
+inline constexpr Index nothing = std::numeric_limits<Index>::max();
+
+/// Where the things are that have these numbers: a table if the numbers lie close together, a sorted list if not.
+class Numbering {
+ public:
+  Numbering() = default;
+  explicit Numbering(std::vector<FileNumber> numbers) : numbers_(std::move(numbers)) {
+    if (numbers_.empty()) return;
+    const auto [least, most] = std::minmax_element(numbers_.begin(), numbers_.end());
+    first_ = *least, last_ = *most;
+    if (static_cast<std::uint64_t>(last_ - first_) < 4 * std::uint64_t(numbers_.size()) + 1024) {
+      table_.assign(static_cast<std::size_t>(last_ - first_) + 1, nothing);
+      for (Index i = 0; i < numbers_.size(); ++i) {
+        Index& place = table_[static_cast<std::size_t>(numbers_[i] - first_)];
+        if (place == nothing)
+          place = i;
+        else if (twice_ == nothing)
+          twice_ = i;
+      }
+    } else {
+      for (Index i = 0; i < numbers_.size(); ++i) sorted_.emplace_back(numbers_[i], i);
+      std::sort(sorted_.begin(), sorted_.end());
+      for (std::size_t i = 1; i < sorted_.size() && twice_ == nothing; ++i)
+        if (sorted_[i].first == sorted_[i - 1].first) twice_ = sorted_[i].second;
+    }
+  }
+  /// The first thing of that number, or `nothing`.
+  Index find(FileNumber number) const {
+    if (numbers_.empty() || number < first_ || number > last_) return nothing;
+    if (!table_.empty()) return table_[static_cast<std::size_t>(number - first_)];
+    const auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(number, 0));
+    return place != sorted_.end() && place->first == number ? place->second : nothing;
+  }
+  /// Those with the numbers first, first + step, ... up to last.
+  template <class F>
+  void for_range(FileNumber first, FileNumber last, FileNumber step, F f) const {
+    if (numbers_.empty() || step < 1) return;
+    if (first < first_) first += (first_ - first + step - 1) / step * step;
+    last = std::min(last, last_);
+    if (!table_.empty()) {
+      for (FileNumber n = first; n <= last; n += step)
+        if (const Index i = find(n); i != nothing) f(i);
+    } else {
+      auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(first, 0));
+      for (; place != sorted_.end() && place->first <= last; ++place)
+        if ((place->first - first) % step == 0) f(place->second);
+    }
+  }
+  /// One whose number another has before it, or `nothing`.
+  Index twice() const { return twice_; }
+
+ private:
+  std::vector<FileNumber> numbers_;
+  FileNumber first_ = 0, last_ = -1;
+  std::vector<Index> table_;
+  std::vector<std::pair<FileNumber, Index>> sorted_;
+  Index twice_ = nothing;
+};
+
+/// What readers gather, by the numbers of the file; `finished` makes a deck of it.
+struct RawMesh {
+  /// Numbers are unique in their scope: an instance of a part, or the solids and the shells of LS-DYNA.
+  static constexpr FileNumber scope = number_limit;
+
+  struct Node {
+    FileNumber number;
+    Eigen::Vector3d x;
+    std::uint32_t line;
+  };
+  enum class Shape : std::uint8_t { triangle, quadrilateral, tetrahedron, hexahedron };
+  struct Element {
+    FileNumber number;
+    std::array<FileNumber, 8> corners;
+    std::uint32_t group, line;  ///< group: of those of the mesh
+    Shape shape;
+    bool marks_solids = false;  ///< a surface cell that is no plate if it lies on solids
+  };
+  struct Range {
+    FileNumber first, last, step;
+    std::uint32_t line;
+  };
+  struct Set {
+    FileNumber number = 0;
+    std::string name = {};
+    std::vector<Range> ranges = {};
+    std::vector<std::size_t> others = {};  ///< sets before it that it holds too
+  };
+
+  std::vector<Node> nodes = {};
+  std::vector<Element> elements = {};
+  std::vector<std::vector<std::uint32_t>> groups = {};  ///< the parts that the elements of a group belong to
+  std::vector<NamedSet> parts = {};
+  std::vector<Set> node_sets = {}, element_sets = {};
+  std::vector<FileNumber> ignored_elements = {};  ///< of kinds that are no cells; sets may hold them
+};
+
+constexpr std::size_t corner_count(RawMesh::Shape shape) {
+  using Shape = RawMesh::Shape;
+  return shape == Shape::hexahedron ? 8 : shape == Shape::triangle ? 3 : 4;
+}
+
+/// Eight corners that name a tetrahedron: a b c d d d d d (LS-DYNA) and a b c c d d d d (a brick folded together).
+inline bool folds_to_tetrahedron(std::array<Index, 8>& c) {
+  const auto alike = [&](std::size_t first, std::size_t last) {
+    return std::all_of(c.begin() + static_cast<std::ptrdiff_t>(first), c.begin() + static_cast<std::ptrdiff_t>(last),
+                       [&](Index node) { return node == c[first]; });
+  };
+  if (!alike(4, 8) || (c[3] != c[4] && c[3] != c[2])) return false;
+  c[3] = c[4];
+  return true;
+}
+
+/// The deck, and where in it the nodes of the file are.
+struct Finished {
+  Deck deck;
+  Numbering file_nodes;
+  std::vector<Index> place;  ///< of each node of the file; `nothing` if it was dropped
+
+  /// The node of that number, or `nothing` if it was dropped. Error: it is not in the file.
+  Index node(FileNumber number, const Source& source, std::uint32_t line) const {
+    const Index i = file_nodes.find(number);
+    if (i == nothing)
+      source.refuse(line, {"node ", std::to_string(number % RawMesh::scope),
+                           " is not in the file: define it or take it off this line."});
+    return place[i];
+  }
+};
+
+/// The sets by places in the mesh. Error: one holds a number that neither a thing has nor one that was ignored.
+inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numbering& numbering,
+                                      const Numbering& ignored, std::span<const Index> place, const char* thing,
+                                      const Source& source) {
+  std::vector<NamedSet> all;
+  for (RawMesh::Set& set : sets) {
+    std::vector<Index> members;
+    for (const auto& [first, last, step, line] : set.ranges) {
+      if (first == last && numbering.find(first) == nothing && ignored.find(first) == nothing)
+        source.refuse(line, {thing, " ", std::to_string(first % RawMesh::scope),
+                             " is not in the file: define it or take it off this set."});
+      numbering.for_range(first, last, step, [&](Index i) {
+        if (place[i] != nothing) members.push_back(place[i]);
+      });
+    }
+    for (const std::size_t other : set.others)
+      members.insert(members.end(), all.at(other).members.begin(), all.at(other).members.end());
+    std::sort(members.begin(), members.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
+    all.push_back({set.number, std::move(set.name), std::move(members)});
+  }
+  return all;
+}
+
+/// Errors: a number twice; an element or set that names what is not there; an element that is neither hexahedron,
+/// tetrahedron, quadrilateral nor triangle.
+inline Finished finished(RawMesh raw, const Source& source) {
+  using Shape = RawMesh::Shape;
+  Finished result;
+  Deck& deck = result.deck;
+  std::vector<FileNumber> numbers;
+  numbers.reserve(raw.nodes.size());
+  for (const RawMesh::Node& node : raw.nodes) numbers.push_back(node.number);
+  result.file_nodes = Numbering(std::move(numbers));
+  if (const Index n = result.file_nodes.twice(); n != nothing) {
+    const RawMesh::Node& twin = raw.nodes[result.file_nodes.find(raw.nodes[n].number)];
+    source.refuse(raw.nodes[n].line, {"node ", std::to_string(twin.number % RawMesh::scope), " is on line ",
+                                      std::to_string(twin.line), " already: give each node a number of its own."});
+  }
+
+  // The elements by places of nodes in the file, and what they are.
+  struct Cell {
+    std::array<Index, 8> corners;
+    Shape shape;
+    bool is_mark = false;
+  };
+  std::vector<Cell> cells;
+  cells.reserve(raw.elements.size());
+  for (const RawMesh::Element& element : raw.elements) {
+    Cell cell{{}, element.shape};
+    const std::size_t count = corner_count(element.shape);
+    const auto refuse = [&](const std::string& what) {
+      source.refuse(element.line, {"element ", std::to_string(element.number % RawMesh::scope), " ", what});
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      cell.corners[i] = result.file_nodes.find(element.corners[i]);
+      if (cell.corners[i] == nothing)
+        refuse(joined({"names node ", std::to_string(element.corners[i] % RawMesh::scope),
+                       ", which is not in the file: define it or correct the element."}));
+    }
+    std::array<Index, 8> sorted = cell.corners;
+    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count);
+    std::sort(sorted.begin(), end);
+    const auto different = static_cast<std::size_t>(std::unique(sorted.begin(), end) - sorted.begin());
+    auto& c = cell.corners;
+    if (cell.shape == Shape::hexahedron && different == 4 && folds_to_tetrahedron(c))
+      cell.shape = Shape::tetrahedron;
+    else if (cell.shape == Shape::triangle && different == 3)
+      c[3] = c[2], cell.shape = Shape::quadrilateral;
+    else if (cell.shape == Shape::quadrilateral && different == 3 && c[0] != c[2] && c[1] != c[3])
+      while (c[2] != c[3]) std::rotate(c.begin(), c.begin() + 1, c.begin() + 4);
+    else if (cell.shape == Shape::hexahedron && different == 6)
+      refuse("is a wedge: mesh with hexahedra and tetrahedra, or cut it into three tetrahedra.");
+    else if (cell.shape == Shape::hexahedron && different == 5)
+      refuse("is a pyramid: mesh with hexahedra and tetrahedra, or cut it into two tetrahedra.");
+    else if (different != count)
+      refuse(joined({"has ", std::to_string(different), " different corners of ", std::to_string(count),
+                     ": take it out or correct it."}));
+    cells.push_back(cell);
+  }
+
+  std::vector<char> used(raw.nodes.size(), 0);
+  const auto mark_used = [&](bool solids) {
+    for (const Cell& cell : cells)
+      if ((corner_count(cell.shape) == 8 || cell.shape == Shape::tetrahedron) == solids && !cell.is_mark)
+        for (std::size_t i = 0; i < corner_count(cell.shape); ++i) used[cell.corners[i]] = 1;
+  };
+  mark_used(true);
+  std::size_t marks = 0;
+  for (std::size_t e = 0; e < cells.size(); ++e) {
+    const auto first = cells[e].corners.begin();
+    cells[e].is_mark =
+        raw.elements[e].marks_solids && std::all_of(first, first + 4, [&](Index n) { return used[n] != 0; });
+    marks += cells[e].is_mark;
+  }
+  mark_used(false);
+
+  // Nodes that a cell uses, in the order of the file.
+  result.place.assign(raw.nodes.size(), nothing);
+  FileNumber orphan = 0;
+  std::size_t orphans = 0;
+  for (std::size_t n = 0; n < raw.nodes.size(); ++n)
+    if (used[n]) {
+      result.place[n] = static_cast<Index>(deck.mesh.nodes.size());
+      deck.mesh.nodes.push_back(raw.nodes[n].x);
+      deck.node_numbers.push_back(raw.nodes[n].number % RawMesh::scope);
+    } else if (orphans++ == 0) {
+      orphan = raw.nodes[n].number % RawMesh::scope;
+    }
+
+  deck.parts = std::move(raw.parts);
+  std::vector<Index> cell_place(cells.size(), nothing);
+  const auto add = [&]<std::size_t N>(Cells<N>& list, Shape shape) {
+    for (std::size_t e = 0; e < cells.size(); ++e) {
+      if (cells[e].shape != shape || cells[e].is_mark) continue;
+      std::array<Index, N> corners;
+      for (std::size_t i = 0; i < N; ++i) corners[i] = result.place[cells[e].corners[i]];
+      list.push_back(corners);
+      cell_place[e] = static_cast<Index>(deck.cell_numbers.size());
+      deck.cell_numbers.push_back(raw.elements[e].number % RawMesh::scope);
+      for (const std::uint32_t part : raw.groups[raw.elements[e].group])
+        deck.parts[part].members.push_back(cell_place[e]);
+    }
+  };
+  add(deck.mesh.hexahedra, Shape::hexahedron);
+  add(deck.mesh.tetrahedra, Shape::tetrahedron);
+  add(deck.mesh.quadrilaterals, Shape::quadrilateral);
+
+  numbers.clear();
+  for (const RawMesh::Element& element : raw.elements) numbers.push_back(element.number);
+  const Numbering file_elements(std::move(numbers));
+  if (const Index e = file_elements.twice(); e != nothing) {
+    const RawMesh::Element& twin = raw.elements[file_elements.find(raw.elements[e].number)];
+    source.refuse(raw.elements[e].line,
+                  {"element ", std::to_string(twin.number % RawMesh::scope), " is on line ", std::to_string(twin.line),
+                   " already: give each element a number of its own."});
+  }
+  deck.node_sets = resolved(std::move(raw.node_sets), result.file_nodes, {}, result.place, "node", source);
+  deck.cell_sets = resolved(std::move(raw.element_sets), file_elements, Numbering(std::move(raw.ignored_elements)),
+                            cell_place, "element", source);
+  if (marks > 0)
+    deck.notices.push_back(
+        joined({"Surface elements on solids (", std::to_string(marks), ") mark faces, and are no plates."}));
+  if (orphans > 0)
+    deck.notices.push_back(joined({"Nodes without an element (", std::to_string(orphans), ", the first has the number ",
+                                   std::to_string(orphan), ") were dropped."}));
+  return result;
+}
+
+}  // namespace strike::detail

@@ -1,0 +1,209 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// The number that a file gives to a node, an element, a part or a set, from 1.
+using FileNumber = std::int64_t;
+
+namespace detail {
+
+/// Numbers in a file are below this.
+inline constexpr FileNumber number_limit = FileNumber(1) << 40;
+
+/// The content of a file. Error: it cannot be read.
+inline std::string content_of_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw Error(joined({"File '", path, "' cannot be opened for reading: check its name and folder."}));
+  std::string content;
+  std::array<char, 1 << 16> buffer;
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
+    content.append(buffer.data(), count);
+  if (std::ferror(file.get())) throw Error(joined({"File '", path, "' cannot be read: give the path of a file."}));
+  return content;
+}
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
+
+inline std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+inline std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = upper(c);
+  return result;
+}
+
+inline bool same_word(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
+}
+
+/// Takes what stands before the first `mark` off the text, and the mark.
+inline std::string_view taken(std::string_view& text, char mark) {
+  const std::size_t end = std::min(text.find(mark), text.size());
+  const std::string_view head = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return head;
+}
+
+/// A finite number in any of the ways of C and Fortran: 1e-3, 1.0D+3, 1.5-3.
+inline std::optional<double> to_number(std::string_view field) {
+  field = trimmed(field);
+  if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);
+  const auto whole = [](std::string_view text) -> std::optional<double> {
+    double value = 0;
+    const char* const last = text.data() + text.size();
+    const auto [end, failure] = std::from_chars(text.data(), last, value);
+    if (failure != std::errc{} || end != last || !std::isfinite(value)) return std::nullopt;
+    return value;
+  };
+  if (const auto value = whole(field)) return value;
+  std::array<char, 64> plain;
+  if (field.size() + 1 > plain.size()) return std::nullopt;
+  std::size_t length = 0;
+  bool exponent = false;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const char c = field[i];
+    const bool letter = upper(c) == 'D' || upper(c) == 'E', sign = c == '+' || c == '-';
+    if (i > 0 && !exponent && (letter || sign)) {
+      exponent = true;
+      plain[length++] = 'e';
+      if (c == '-') plain[length++] = c;
+    } else if (c != '+' || i == 0 || upper(field[i - 1]) < 'D' || upper(field[i - 1]) > 'E') {
+      plain[length++] = c;
+    }
+  }
+  return whole({plain.data(), length});
+}
+
+/// A whole number, which may be written 12. or 12.0.
+inline std::optional<FileNumber> to_integer(std::string_view field) {
+  field = trimmed(field);
+  FileNumber value = 0;
+  const char* const last = field.data() + field.size();
+  if (const auto [end, failure] = std::from_chars(field.data(), last, value); failure == std::errc{} && end == last)
+    return value;
+  const auto number = to_number(field);
+  if (!number || *number != std::floor(*number) || std::abs(*number) > 9e15) return std::nullopt;
+  return static_cast<FileNumber>(*number);
+}
+
+/// The start of a text, as a message quotes it.
+[[gnu::cold]] inline std::string shown(std::string_view text) {
+  std::string result = "'";
+  for (const char c : trimmed(text).substr(0, 40)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (trimmed(text).size() > 40 ? "...'" : "'");
+}
+
+/// A text being read, line by line.
+class Source {
+ public:
+  Source(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
+
+  /// The next line, without its end.
+  bool next(std::string_view& line) {
+    if (rest_.empty()) return false;
+    line = taken(rest_, '\n');
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    ++line_;
+    return true;
+  }
+  /// The character with which the next line begins.
+  char peek() const { return rest_.empty() ? '\0' : rest_.front(); }
+  /// Whether the next line begins so, after blanks.
+  bool next_begins_with(std::string_view mark) const {
+    const std::size_t first = rest_.find_first_not_of(" \t");
+    return first != rest_.npos && rest_.substr(first, mark.size()) == mark;
+  }
+  /// The number of the last line, from 1.
+  std::uint32_t line() const { return line_; }
+
+  /// Throws an Error with the place: what is wrong on that line, and what to do.
+  [[noreturn, gnu::cold]] void refuse(std::uint32_t line, std::initializer_list<std::string_view> what) const {
+    throw Error(joined({"File '", name_, "', line ", std::to_string(line), ": ", joined(what)}));
+  }
+  [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { refuse(line_, what); }
+
+  double number(std::string_view field, std::string_view meaning) const {
+    const auto value = to_number(field);
+    if (!value) refuse({meaning, " ", shown(field), " is no number: write it as 1.5 or 1.5e-3."});
+    return *value;
+  }
+  FileNumber integer(std::string_view field, std::string_view meaning) const {
+    const auto value = to_integer(field);
+    if (!value) refuse({meaning, " ", shown(field), " is no whole number: correct it."});
+    return *value;
+  }
+  /// A number that names a thing, and fits a scope.
+  FileNumber tag(std::string_view field, std::string_view meaning, FileNumber least = 1) const {
+    const FileNumber n = integer(field, meaning);
+    if (n < least || n >= number_limit)
+      refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
+    return n;
+  }
+
+ private:
+  std::string_view rest_;
+  std::string name_;
+  std::uint32_t line_ = 0;
+};
+
+/// What a reader skipped, by name: how often and on which lines.
+class Skipped {
+ public:
+  void add(std::string_view name, std::uint32_t line, std::size_t count = 1) {
+    const auto known = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.name == name; });
+    if (known == kinds_.end() && kinds_.size() < 200)
+      kinds_.push_back({std::string(name), count, {line}});
+    else if (known == kinds_.end())
+      ++further_;
+    else if (known->count += count; known->lines.size() < 5 && known->lines.back() != line)
+      known->lines.push_back(line);
+  }
+  bool empty() const { return kinds_.empty(); }
+  /// Adds the notices: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
+  void tell(std::vector<std::string>& all, std::string_view why) const {
+    for (const auto& [name, count, lines] : kinds_) {
+      std::string places = lines.size() == 1 ? "line " : "lines ";
+      for (const std::uint32_t line : lines) places += std::to_string(line) + ", ";
+      places.resize(places.size() - 2);
+      all.push_back(joined(
+          {name, " (", std::to_string(count), ")", why, places, lines.size() == 5 && count > 5 ? ", ..." : "."}));
+    }
+    if (further_ > 0) all.push_back(joined({"Others (", std::to_string(further_), ")", why, "not listed."}));
+  }
+
+ private:
+  struct Kind {
+    std::string name;
+    std::size_t count;
+    std::vector<std::uint32_t> lines;
+  };
+  std::vector<Kind> kinds_;
+  std::size_t further_ = 0;
+};
+
+}  // namespace detail
+}  // namespace strike

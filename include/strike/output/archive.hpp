@@ -1,0 +1,157 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/error.hpp>
+
+namespace strike {
+
+/// How things tell what they remember, all with one function of theirs, which writes, reads and compares:
+///
+///   template <class Archive>
+///   void serialize(Archive& archive) {
+///     archive(position_, velocity_);  // changes as a run goes on: is written, and comes back
+///     archive.same(mass_);            // follows from the scene: has to be the same there and here
+///   }
+///
+/// An archive takes numbers and what is copied as bytes, Eigen's vectors and matrices of fixed size, std::string,
+/// std::vector, std::span and std::tuple of such things, and whatever has such a function.
+/// An archive that writes, one that reads and one that compares are the same type to them, so that a compiler sees each
+/// such function once.
+class Archive {
+ public:
+  /// Whether what it is given takes what was kept.
+  bool reads() const { return reads_; }
+
+  template <class... Values>
+  void operator()(Values&&... values) {
+    (item(values), ...);
+  }
+  template <class... Values>
+  void same(const Values&... values) {
+    (identity(values), ...);
+  }
+
+ protected:
+  explicit Archive(bool reads) : reads_(reads) {}
+  ~Archive() = default;
+
+  /// Writes or reads so many bytes.
+  virtual void bytes(void* at, std::size_t count) = 0;
+  /// Takes note of bytes that have to be the same.
+  virtual void note(const void*, std::size_t) {}
+  /// Before a list takes so many elements that were kept.
+  virtual void allow(std::uint64_t) {}
+
+ private:
+  template <class T>
+  static constexpr bool is_list = requires(T list) {
+    list.data();
+    list.resize(std::size_t{});
+    requires !requires { T::RowsAtCompileTime; };
+  };
+  template <class T>
+  static constexpr bool is_fixed_matrix = requires {
+    requires T::SizeAtCompileTime >
+    0;
+    requires std::is_arithmetic_v<typename T::Scalar>;
+  };
+  template <class T>
+  static constexpr bool is_plain = is_fixed_matrix<T> || (std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> &&
+                                                          !requires(T a) { a.data(); });
+
+  template <class T>
+  void item(T& value) {
+    if constexpr (requires { value.serialize(*this); })
+      value.serialize(*this);
+    else if constexpr (is_list<T>)
+      list(value);
+    else if constexpr (requires { std::span(value); })
+      items(std::span(value));
+    else if constexpr (requires { std::tuple_size<T>::value; })
+      std::apply([&](auto&... one) { (item(one), ...); }, value);
+    else if constexpr (is_plain<T>)
+      bytes(&value, sizeof value);
+    else
+      static_assert(is_plain<T>,
+                    "strike: an Archive does not know how to keep this: give its type template <class Archive> void "
+                    "serialize(Archive& archive) { archive(...); } with all that it remembers.");
+  }
+
+  template <class List>
+  void list(List& list) {
+    std::uint64_t size = list.size();
+    item(size);
+    if (reads_) {
+      allow(size);
+      list.resize(static_cast<std::size_t>(size));
+    }
+    items(std::span(list.data(), list.size()));
+  }
+  template <class T, std::size_t n>
+  void items(std::span<T, n> all) {
+    if constexpr (is_plain<T> && !requires(T & one, Archive & archive) { one.serialize(archive); })
+      bytes(all.data(), all.size_bytes());
+    else
+      for (T& one : all) item(one);
+  }
+
+  template <class T>
+  void identity(const T& value) {
+    if constexpr (requires { value.data(); })
+      note(value.data(), value.size() * sizeof(*value.data()));
+    else if constexpr (is_plain<T>)
+      note(&value, sizeof value);
+    else
+      static_assert(is_plain<T>, "strike: Archive::same takes numbers and lists of numbers.");
+  }
+
+  bool reads_;
+};
+
+namespace detail {
+
+/// A hash of bytes, eight at a time (constants of splitmix64, Steele, Lea and Flood 2014).
+class Hash {
+ public:
+  void add(const void* bytes, std::size_t count) {
+    const char* at = static_cast<const char*>(bytes);
+    for (; count > 0; at += std::min<std::size_t>(count, 8), count -= std::min<std::size_t>(count, 8)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, at, std::min<std::size_t>(count, 8));
+      value_ = (value_ ^ word ^ (count < 8 ? count << 56 : 0)) * 0xbf58476d1ce4e5b9u;
+      value_ ^= value_ >> 31;
+    }
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0x9e3779b97f4a7c15u;
+};
+
+/// What has to be the same in a scene that goes on from a checkpoint, as one number.
+class Fingerprint final : public Archive {
+ public:
+  Fingerprint() : Archive(false) {}
+  std::uint64_t value() const { return hash_.value(); }
+
+ private:
+  void bytes(void*, std::size_t) override {}
+  void note(const void* at, std::size_t count) override { hash_.add(at, count); }
+
+  Hash hash_;
+};
+
+}  // namespace detail
+
+}  // namespace strike

@@ -1,0 +1,277 @@
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include <strike/error.hpp>
+#include <strike/output/archive.hpp>
+#include <strike/output/file.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+namespace detail {
+
+// A checkpoint file: Head, what the things remember, Tail. Integers and numbers as the machine has them.
+struct CheckpointHead {
+  char magic[8] = {'s', 't', 'r', 'i', 'k', 'e', 'c', 'p'};
+  std::uint32_t version = 1;
+  std::uint32_t byte_order = 0x01020304;
+  std::uint64_t scene = 0;  ///< Fingerprint
+};
+struct CheckpointTail {
+  std::uint64_t size = 0;      ///< of what is between, in bytes
+  std::uint64_t checksum = 0;  ///< Hash of the same, a piece after the other
+};
+inline constexpr std::size_t checkpoint_piece = 1 << 20;  // bytes
+
+class CheckpointWriter final : public Archive {
+ public:
+  CheckpointWriter(OutputFile& file, std::uint64_t scene) : Archive(false), file_(file) {
+    CheckpointHead head;
+    head.scene = scene;
+    file_.write({reinterpret_cast<const char*>(&head), sizeof head});
+  }
+  void finish() {
+    flush();
+    tail_.checksum = hash_.value();
+    file_.write({reinterpret_cast<const char*>(&tail_), sizeof tail_});
+    file_.sync();
+  }
+
+ private:
+  void bytes(void* from, std::size_t count) override {
+    const char* at = static_cast<const char*>(from);
+    while (count > 0) {
+      const std::size_t now = std::min(count, checkpoint_piece - piece_.size());
+      piece_.append(at, now);
+      at += now, count -= now;
+      if (piece_.size() == checkpoint_piece) flush();
+    }
+  }
+  void flush() {
+    hash_.add(piece_.data(), piece_.size());
+    tail_.size += piece_.size();
+    file_.write(piece_);
+    piece_.clear();
+  }
+
+  OutputFile& file_;
+  std::string piece_;
+  Hash hash_;
+  CheckpointTail tail_;
+};
+
+/// Reads a file that is sound: it is looked at from end to end first.
+class CheckpointReader final : public Archive {
+ public:
+  /// Errors: no such file; not a checkpoint, of another format or machine, damaged, or of another scene.
+  CheckpointReader(const std::string& path, std::uint64_t scene)
+      : Archive(true), path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+    if (!file_) refuse("cannot be opened; give the path of one that a run has written");
+    CheckpointHead head;
+    const CheckpointHead ours;
+    if (!get(&head, sizeof head) || std::memcmp(head.magic, ours.magic, sizeof head.magic) != 0)
+      refuse("is none; give the path of a file that a Checkpoint has written");
+    if (head.byte_order != ours.byte_order) refuse("is of another kind of machine; go on where it was written");
+    if (head.version != ours.version)
+      refuse(joined({"has the format ", std::to_string(head.version), " but this version of strike reads ",
+                     std::to_string(ours.version), "; go on with the version that wrote it"}));
+    check_sum();
+    if (head.scene != scene)
+      refuse(
+          "is of another scene: its mesh, elements, materials, numbers or observers differ; go on with the program "
+          "that wrote it");
+    std::fseek(file_.get(), sizeof head, SEEK_SET);
+  }
+
+  void finish() const {
+    if (left_ > 0) refuse("holds more than the scene asks for; begin anew");
+  }
+
+ private:
+  void allow(std::uint64_t count) override {
+    if (count > left_) refuse("holds less than the scene asks for; begin anew");
+  }
+  void bytes(void* to, std::size_t count) override {
+    allow(count);
+    get(to, count);
+    left_ -= count;
+  }
+  bool get(void* to, std::size_t count) { return std::fread(to, 1, count, file_.get()) == count; }
+
+  void check_sum() {
+    Hash hash;
+    CheckpointTail tail;
+    std::string piece(checkpoint_piece + sizeof tail, '\0');
+    std::size_t kept = 0;  // what may be the tail is kept back
+    for (std::size_t got = 1; got > 0;) {
+      got = std::fread(piece.data() + kept, 1, piece.size() - kept, file_.get());
+      kept += got;
+      if (kept < piece.size()) break;
+      hash.add(piece.data(), checkpoint_piece);
+      left_ += checkpoint_piece;
+      piece.erase(0, checkpoint_piece), piece.resize(checkpoint_piece + sizeof tail);
+      kept = sizeof tail;
+    }
+    if (kept >= sizeof tail) {
+      hash.add(piece.data(), kept - sizeof tail);
+      left_ += kept - sizeof tail;
+      std::memcpy(&tail, piece.data() + kept - sizeof tail, sizeof tail);
+    }
+    if (kept < sizeof tail || tail.size != left_ || tail.checksum != hash.value())
+      refuse("is cut short or damaged; take an older one, or begin anew");
+  }
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw Error(joined({"strike: the checkpoint '", path_, "' ", why, "."}));
+  }
+
+  std::string path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::uint64_t left_ = 0;
+};
+
+template <class... Things>
+std::uint64_t fingerprint_of(Things&... things) {
+  Fingerprint fingerprint;
+  fingerprint(things...);
+  return fingerprint.value();
+}
+
+/// Whether all that belongs to it tells what it remembers; what does not gets one sentence.
+template <class Thing>
+constexpr bool remembers() {
+  if constexpr (requires { Thing::template remembers<Archive>(); }) {
+    constexpr bool all = Thing::template remembers<Archive>();
+    static_assert(all,
+                  "strike: a thing of this Scene does not tell a checkpoint what it remembers: give it template <class "
+                  "Archive> void serialize(Archive& archive) { archive(...); }, with empty braces if it remembers "
+                  "nothing.");
+    return all;
+  } else {
+    return true;
+  }
+}
+
+}  // namespace detail
+
+/// Writes what things remember (a run, its history and film, your own numbers; see Archive) into one file: whole, or
+/// what was there before stays. It has a version and a checksum.
+template <class... Things>
+void write_checkpoint(const std::string& path, Things&... things) {
+  if constexpr ((detail::remembers<Things>() && ...))
+    detail::replace_file(path, [&](detail::OutputFile& file) {
+      detail::CheckpointWriter archive(file, detail::fingerprint_of(things...));
+      archive(things...);
+      archive.finish();
+    });
+}
+
+/// Puts the same things, made anew by the same program, where they were. Errors, before anything is changed: there is
+/// no such file, it is damaged, or of another scene.
+template <class... Things>
+void read_checkpoint(const std::string& path, Things&... things) {
+  if constexpr ((detail::remembers<Things>() && ...)) {
+    detail::CheckpointReader archive(path, detail::fingerprint_of(things...));
+    archive(things...);
+    archive.finish();
+  }
+}
+
+/// Whether a run begins where its checkpoint left it, if there is one.
+enum class Restart { never, if_there };
+
+/// When a Checkpoint is written: as soon as one of the two has passed since the last.
+struct CheckpointOptions {
+  double interval = std::numeric_limits<double>::infinity();  ///< of the run [time]
+  double seconds = 60;                                        ///< of the clock on the wall
+  Restart restart = Restart::never;
+};
+
+/// An observer that keeps a run in a file from which it can go on, to the bit, after whatever has ended it: with all
+/// observers of the same `until`, and with its companions, what these write or collect:
+///
+///   History history{"history.csv", {{"time", "ms"}, {"length", "mm"}}};
+///   run.until(0.08, Every{0.001, [&] { history.row(run.time(), length()); }},
+///             Checkpoint{"bar.checkpoint", {.restart = Restart::if_there}, history});
+///
+/// What stands in a History after the checkpoint is cut off, so that nothing is missing or there twice. Constants of
+/// materials and the options of the run are the program's, and may be changed in between.
+template <class... Companions>
+class Checkpoint {
+ public:
+  explicit Checkpoint(std::string path, Companions&... companions)
+      : Checkpoint(std::move(path), CheckpointOptions{}, companions...) {}
+  Checkpoint(std::string path, const CheckpointOptions& options, Companions&... companions)
+      : path_(std::move(path)), options_(options), companions_(companions...) {
+    if (!(options.interval > 0 && options.seconds > 0))
+      throw Error(detail::joined({"strike: the Checkpoint '", path_, "' is to be written every ",
+                                  detail::text(options.interval), " of the run or ", detail::text(options.seconds),
+                                  " seconds; both must be positive."}));
+  }
+
+  void operator()() const {}  // it looks when all others have
+  /// Before a run begins: whether it has been put to where the file says.
+  template <class Run, class Observers>
+  bool resume(Run& run, Observers observers) {
+    start_clocks(run);
+    if constexpr (detail::remembers<Run>()) {
+      if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
+      with_all(run, observers, [&](auto&... things) { read_checkpoint(path_, things...); });
+      start_clocks(run);
+      return true;
+    }
+    return false;
+  }
+  /// After each step, when the other observers have seen it.
+  template <class Run, class Observers>
+  void save(Run& run, Observers observers) {
+    if (run.time() < next_ && Clock::now() < alarm_) return;
+    with_all(run, observers, [&](auto&... things) { write_checkpoint(path_, things...); });
+    start_clocks(run);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  template <class Run>
+  void start_clocks(const Run& run) {
+    next_ = run.time() + options_.interval;
+    if (options_.seconds < 1e9)
+      alarm_ =
+          Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.seconds));
+  }
+
+  /// f(run, companions and those of the observers that remember something).
+  template <class Run, class Observers, class F>
+  void with_all(Run& run, Observers& observers, const F& f) {
+    const auto remembering = [](auto& observer) {
+      if constexpr (requires(detail::Fingerprint archive) { observer.serialize(archive); })
+        return std::tie(observer);
+      else
+        return std::tuple<>();
+    };
+    std::apply(
+        f, std::tuple_cat(std::tie(run), companions_,
+                          std::apply([&](auto&... one) { return std::tuple_cat(remembering(one)...); }, observers)));
+  }
+
+  std::string path_;
+  CheckpointOptions options_;
+  std::tuple<Companions&...> companions_;
+  double next_ = 0;
+  Clock::time_point alarm_ = Clock::time_point::max();
+};
+
+}  // namespace strike

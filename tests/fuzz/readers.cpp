@@ -1,0 +1,62 @@
+// What no input may do: crash a reader, or leave it with anything but a deck or an Error.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include <strike/input.hpp>
+
+namespace {
+
+void expect(bool holds) {
+  if (!holds) std::abort();
+}
+void expect_below(const std::vector<strike::Index>& members, std::size_t count) {
+  for (const strike::Index member : members) expect(member < count);
+}
+
+/// Every number in a deck names something that is there.
+void expect_whole(const strike::Deck& deck) {
+  const std::size_t nodes = deck.mesh.nodes.size();
+  const std::size_t cells = deck.mesh.hexahedra.size() + deck.mesh.tetrahedra.size() + deck.mesh.quadrilaterals.size();
+  const auto expect_cells = [&](const auto& list) {
+    for (const auto& cell : list)
+      for (const strike::Index node : cell) expect(node < nodes);
+  };
+  expect_cells(deck.mesh.hexahedra), expect_cells(deck.mesh.tetrahedra), expect_cells(deck.mesh.quadrilaterals);
+  expect(deck.node_numbers.size() == nodes && deck.cell_numbers.size() == cells);
+  for (const auto& x : deck.mesh.nodes) expect(x.allFinite());
+  const auto expect_members = [&](const auto& sets, std::size_t count) {
+    for (const strike::NamedSet& set : sets) expect_below(set.members, count);
+  };
+  expect_members(deck.parts, cells), expect_members(deck.cell_sets, cells), expect_members(deck.node_sets, nodes);
+}
+void expect_whole(const strike::DynaDeck& deck) {
+  expect_whole(static_cast<const strike::Deck&>(deck));
+  const auto expect_nodes = [&](const auto& cards) {
+    for (const auto& card : cards) expect_below(card.nodes, deck.mesh.nodes.size());
+  };
+  expect_nodes(deck.supports), expect_nodes(deck.velocities), expect_nodes(deck.walls);
+  for (const auto& set : deck.part_sets) expect_below(set.members, deck.parts.size());
+  for (const auto& contact : deck.contacts) expect_nodes(std::array{contact.slave, contact.master});
+}
+
+template <class Reader>
+void expect_deck_or_error(Reader reader) {
+  try {
+    expect_whole(reader());
+  } catch (const strike::Error&) {
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  expect_deck_or_error([&] { return strike::read_gmsh(text, "input"); });
+  expect_deck_or_error([&] { return strike::read_abaqus(text, "input"); });
+  expect_deck_or_error([&] { return strike::read_dyna(text, "input"); });
+  return 0;
+}

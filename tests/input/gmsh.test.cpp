@@ -1,0 +1,91 @@
+#include <string>
+
+#include <strike/input/gmsh.hpp>
+
+#include "support/catch.hpp"
+
+using namespace strike;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+
+/// A brick with two tetrahedra on top, its foot as triangles, an edge, a point, and a node of no element.
+const std::string brick = head +
+                          "$PhysicalNames\n4\n3 1 \"soft body\"\n3 2 \"tip\"\n2 3 \"foot\"\n1 4 \"edge\"\n"
+                          "$EndPhysicalNames\n$Nodes\n11\n10 0 0 0\n20 1 0 0\n30 1 1 0\n40 0 1 0\n50 0 0 1\n"
+                          "60 1 0 1\n70 1 1 1\n80 0 1 1\n90 .5 .5 2\n100 5 5 5\n110 0.0 -1e-3 +2.5E+1\n$EndNodes\n"
+                          "$Elements\n8\n1 15 2 0 1 10\n2 1 2 4 1 10 20\n3 2 2 3 1 10 30 20\n4 2 2 3 1 10 40 30\n"
+                          "5 5 2 1 1 10 20 30 40 50 60 70 80\n6 4 2 2 2 50 60 70 90\n7 4 2 2 2 50 70 80 90\n"
+                          "8 3 2 0 9 70 80 90 110\n$EndElements\n$NodeData\n1\n$EndNodeData\n";
+
+Deck read(const std::string& text) { return read_gmsh(text, "a.msh"); }
+
+}  // namespace
+
+TEST_CASE("gmsh: version 2.2 with groups, faces on solids, lines and an orphan") {
+  const Deck deck = read(brick);
+  CHECK(deck.mesh.nodes.size() == 10);
+  CHECK(deck.mesh.nodes[9] == Eigen::Vector3d(0, -1e-3, 25));
+  CHECK(deck.node_numbers == std::vector<FileNumber>{10, 20, 30, 40, 50, 60, 70, 80, 90, 110});
+  CHECK(deck.mesh.hexahedra == Cells<8>{{0, 1, 2, 3, 4, 5, 6, 7}});
+  CHECK(deck.mesh.tetrahedra == Cells<4>{{4, 5, 6, 8}, {4, 6, 7, 8}});
+  CHECK(deck.mesh.quadrilaterals == Cells<4>{{6, 7, 8, 9}});
+  CHECK(deck.cell_numbers == std::vector<FileNumber>{5, 6, 7, 8});
+  CHECK(deck.part("soft body").hexahedra.size() == 1);
+  CHECK(deck.part(2).tetrahedra.size() == 2);
+  CHECK(deck.part("surface 9").quadrilaterals.size() == 1);
+  CHECK_THROWS_WITH(deck.part("foot"), ContainsSubstring("there are 'soft body', 'tip', 'surface 9'."));
+  CHECK(deck.nodes("foot") == std::vector<Index>{0, 1, 2, 3});
+  CHECK(deck.nodes("edge") == std::vector<Index>{0, 1});
+  CHECK(deck.nodes("point 1") == std::vector<Index>{0});
+  CHECK(deck.notices == std::vector<std::string>{
+                            "Surface elements on solids (2) mark faces, and are no plates.",
+                            "Nodes without an element (1, the first has the number 100) were dropped.",
+                            "$NodeData (1) was skipped: line 36.",
+                            "Points (1) were ignored: line 27.",
+                            "Lines (1) were ignored: line 28.",
+                        });
+}
+
+TEST_CASE("gmsh: version 4.1 with entities in two groups and parametric nodes") {
+  const Deck deck = read(
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"all\"\n2 2 \"left\"\n$EndPhysicalNames\n"
+      "$Entities\n1 1 2 0\n1 0 0 0 0\n1 0 0 0 1 0 0 0 2 1 -1\n1 0 0 0 1 1 0 2 1 2 1 1\n2 0 0 0 1 1 0 1 1 0\n"
+      "$EndEntities\n$Nodes\n2 5 1 5\n2 1 1 3\n1\n2\n3\n0 0 0 .1 .2\n1 0 0 .1 .2\n1 1 0 .1 .2\n2 2 0 2\n4\n5\n"
+      "0 1 0\n2 0 0\n$EndNodes\n$Elements\n2 3 1 3\n2 1 3 1\n1 1 2 3 4\n2 2 2 1\n2 2 5 3\n$EndElements\n");
+  CHECK(deck.mesh.quadrilaterals == Cells<4>{{0, 1, 2, 3}, {1, 4, 2, 2}});
+  CHECK(deck.part("all").quadrilaterals.size() == 2);
+  CHECK(deck.part("left").quadrilaterals == Cells<4>{{0, 1, 2, 3}});
+  CHECK(deck.nodes("left") == std::vector<Index>{0, 1, 2, 3});
+  CHECK(deck.notices.empty());
+}
+
+TEST_CASE("gmsh: what is wrong is told with its line") {
+  const auto refused = [](const std::string& text, const std::string& sentence) {
+    CHECK_THROWS_WITH(read(text), ContainsSubstring("File 'a.msh', line ") && ContainsSubstring(sentence));
+  };
+  refused("", "the file is empty");
+  refused("solid ascii\n", "line 1: 'solid ascii' stands in no section");
+  refused("$Nodes\n", "line 1: the file does not begin with $MeshFormat");
+  refused("$MeshFormat\n4.1 1 8\n", "line 2: the file is binary: save it as ASCII (Mesh.Binary = 0).");
+  refused("$MeshFormat\n4 0 8\n", "line 2: version '4' is not read: save as 2.2 or 4.1 (gmsh -format msh41).");
+  refused(head + "$Nodes\n1\n1 0 0.x 0\n", "line 6: the coordinate '0.x' is no number: write it as 1.5 or 1.5e-3.");
+  refused(head + "$Nodes\n99999999999\n1 0 0 0\n$EndNodes\n",
+          "line 7: the number of a node '$EndNodes' is no whole number");
+  refused(head + "$Nodes\n2\n1 0 0 0\n1 0 0 1\n$EndNodes\n", "line 7: node 1 is on line 6 already");
+  refused(head + "$Nodes\n1\n0 0 0 0\n$EndNodes\n", "the number of a node 0 is out of bounds");
+  refused(head + "$Nodes\n1\n1 0 0", "the file ends where the coordinate should stand");
+  refused(head + "$Nodes\n0\n", "the section $Nodes has no end");
+  const std::string nodes = head + "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n1\n";
+  refused(nodes + "1 4 2 1 1 1 2 3 5\n$EndElements\n", "line 13: element 1 names node 5, which is not in the file");
+  refused(nodes + "1 4 2 1 1 1 2 3 3\n$EndElements\n", "element 1 has 3 different corners of 4");
+  refused(nodes + "1 6 2 1 1 1 2 3 4 5 6\n$EndElements\n",
+          "line 13: element 1 is of type 6 (a wedge), which is not read");
+  refused(nodes + "1 11 2 1 1 1 2 3 4\n$EndElements\n", "element 1 is of type 11, which is not read: mesh in order 1");
+  refused(head +
+              "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n2\n1 4 0 1 2 3 4\n1 4 0 1 2 3 4\n"
+              "$EndElements\n",
+          "line 14: element 1 is on line 13 already");
+}
