@@ -26,7 +26,7 @@ class RigidWall {
       places_.resize(nodes.size());
       std::iota(places_.begin(), places_.end(), Index{0});
     } else {
-      for (const Index i : nodes_) places_.push_back(nodes.place(i));
+      for (const Index i : nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
     }
   }
 

@@ -15,6 +15,10 @@ class NodalForce {
       : force_(std::move(force)), nodes_(std::move(nodes)), history_(std::move(history)) {}
 
   template <class N>
+  void begin(const N& nodes) const {
+    for (const Index i : nodes_) nodes.check_number(i);
+  }
+  template <class N>
   void push(N& nodes, double time) {
     now_ = history_(time) * force_;
     for (const Index i : nodes_) nodes.add_force(i, now_.cast<typename N::Number>());

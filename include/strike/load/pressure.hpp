@@ -17,6 +17,11 @@ class Pressure {
   Pressure(std::vector<Face> faces, History history) : faces_(std::move(faces)), history_(std::move(history)) {}
 
   template <class N>
+  void begin(const N& nodes) const {
+    for (const Face& face : faces_)
+      for (const Index i : face.nodes) nodes.check_number(i);
+  }
+  template <class N>
   void push(N& nodes, double time) {
     const double p = history_(time);
     forces_.resize(faces_.size());

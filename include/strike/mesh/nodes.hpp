@@ -157,6 +157,12 @@ class Nodes {
   void add_moment(std::size_t i, const Vector& change) { own_.moment[place_[i]] = kept(moment(i) + change); }
   void add_inertia(std::size_t i, double I) { inertia_[place_[i]] += static_cast<Plain>(I); }
 
+  /// Error: there is no node of this number.
+  void check_number(std::size_t i) const {
+    if (i >= size())
+      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
+                                  std::to_string(size()), " nodes; count them from 0."}));
+  }
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
   /// right angles to all directions taken before, or zero. Which motions are left does not depend on the order.
   /// Errors: no such node; one of two directions that are not at right angles is prescribed.
@@ -232,12 +238,6 @@ class Nodes {
 
  private:
   struct None {};
-
-  void check_number(std::size_t i) const {
-    if (i >= size())
-      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
-                                  std::to_string(size()), " nodes; count them from 0."}));
-  }
 
   Motion<Real, turn> own_;
   [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal, turn>, None> copy_;
