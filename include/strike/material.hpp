@@ -25,6 +25,7 @@
 #include <strike/material/strength/power_hardening.hpp>
 #include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/sensitive.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/strength/zerilli_armstrong.hpp>

@@ -1,5 +1,6 @@
-#include "conformance/contact.hpp"
 #include "examples/own_contact/own_contact.hpp"
+
+#include "conformance/contact.hpp"
 
 using namespace strike;
 

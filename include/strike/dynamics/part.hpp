@@ -103,7 +103,7 @@ struct StableStep {
 };
 
 /// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
-template <class E, class M, class T, class Nodes = strike::Nodes<RealOf<T>, RealOf<T>, turns_nodes<E>()>,
+template <class E, class M, class T, class Nodes = strike::Nodes<LaneOf<T>, LaneOf<T>, turns_nodes<E>()>,
           class Removal = NoErosion>
 class RunningPart {
  public:
@@ -405,7 +405,8 @@ class RunningPart {
 
     for (std::size_t l = 0; l < width; ++l) {
       const auto element_of = [&](const T& block) {
-        return std::min((patch.first_block + static_cast<std::size_t>(lane(block, l))) * width + l, size_ - 1);
+        return std::min((patch.first_block + static_cast<std::size_t>(static_cast<double>(lane(block, l)))) * width + l,
+                        size_ - 1);
       };
       if (const double rate_l = static_cast<double>(lane(rate, l)); outcome.critical_rate < rate_l)
         outcome.critical_rate = rate_l, outcome.slowest = element_of(slowest);
@@ -475,7 +476,7 @@ class RunningPart {
   }
   std::string describe_at(const Nodes& nodes, std::size_t p) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Index i : cell(nodes, p)) sum += nodes.x(i);
+    for (const Index i : cell(nodes, p)) sum += nodes.x(i).template cast<double>();
     return detail::joined({"element ", std::to_string(order_[p]), " of part ", std::to_string(number_), " at ",
                            detail::text((1.0 / static_cast<double>(n)) * sum)});
   }
@@ -513,10 +514,11 @@ class RunningPart {
     const std::array<Index, n> c = cell(nodes, p);
     double spacing = 0, gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
-      const Eigen::Vector3d x = nodes.x(c[i]);
+      const Eigen::Vector3d x = nodes.x(c[i]).template cast<double>();
       spacing = std::max(spacing, nodes.resolution(c[i]));
       for (std::size_t j = 0; j < i; ++j)
-        if (const double d = Eigen::Vector3d(x - nodes.x(c[j])).norm(); d > 0) gap = std::min(gap, d);
+        if (const double d = Eigen::Vector3d(x - nodes.x(c[j]).template cast<double>()).norm(); d > 0)
+          gap = std::min(gap, d);
     }
     if (spacing > 1e-3 * gap)
       throw Error(
@@ -548,7 +550,7 @@ class RunningPart {
   [[no_unique_address]] std::conditional_t<scales_mass, Scaling, NoScaling> scaling_;
   struct NoVolume {};
   struct NoCount {};
-  using Volume = detail::NodalVolume<RealOf<T>, loses_elements>;
+  using Volume = detail::NodalVolume<LaneOf<T>, loses_elements>;
   [[no_unique_address]] std::conditional_t<averages_volume, Volume, NoVolume> volume_;
   [[no_unique_address]] Tally newly_deleted_{};
   [[no_unique_address]] std::conditional_t<erodes, std::size_t, NoCount> deleted_{};

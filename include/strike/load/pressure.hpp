@@ -28,17 +28,19 @@ class Pressure {
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const auto& corner = faces_[i].nodes;
       const auto x = [&](std::size_t k) { return nodes.x(corner[k]); };
-      const Eigen::Vector3d along = x(2) - x(0), across = x(3) - x(1);
+      const typename N::Vector along = x(2) - x(0), across = x(3) - x(1);
       const double share = corner[2] == corner[3] ? 1.0 / 3 : 0.25;
-      forces_[i] = -share * p * 0.5 * cross<double>(along, across);
-      for (std::size_t k = 0; k < corners(corner); ++k) nodes.add_force(corner[k], forces_[i]);
+      const typename N::Vector force = -share * p * 0.5 * cross<typename N::Number>(along, across);
+      for (std::size_t k = 0; k < corners(corner); ++k) nodes.add_force(corner[k], force);
+      forces_[i] = force.template cast<double>();
     }
   }
   template <class N>
   double power(const N& nodes) const {
     double sum = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k) sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]));
+      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k)
+        sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
     return sum;
   }
 
