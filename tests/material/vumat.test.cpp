@@ -26,6 +26,8 @@ Vumat<1> copper(VumatRoutine<double>* routine = copper_vumat) {
 /// What the elastic moduli make of a rounding error of the strain.
 constexpr double rounding = 1e-16 * 188e9;
 
+static_assert(SolidMaterial<Vumat<1>> && sizeof(Vumat<1>::State<double>) == 16 * sizeof(double));
+
 }  // namespace
 
 TEST_CASE("a VUMAT of the same law gives what the native law gives") {
