@@ -84,6 +84,15 @@ class RunningCycle<Subcycling, Nodes> {
         });
       });
     }
+
+    std::vector<bool> slow(nodes.size());
+    each_part(things, [&](const auto& part, const Pace& pace) {
+      for_each_element(part, nodes, [&](std::size_t b, const auto& corners) {
+        if (!pace.slow.empty() && pace.slow[b]) mark(corners, slow);
+      });
+    });
+    for (Index i = 0; i < nodes.size(); ++i)
+      if (slow[i]) places_.push_back(i);
   }
 
   /// The next step of a cycle that is not complete: as those before, but for the end of the run.
@@ -101,9 +110,10 @@ class RunningCycle<Subcycling, Nodes> {
     done_ = (done_ + 1) % multiple_;
     const Vector dt_ = static_cast<RealOf<Vector>>(dt),
                  per_duration = static_cast<RealOf<Vector>>(is_complete() ? 1 / duration_ : 1);
-    for_each_chunk(execution, nodes.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+    for_each_chunk(execution, places_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       const auto add = [&](const auto& v, auto& mean) {
-        for (std::size_t i = first; i < last; ++i) {
+        for (std::size_t k = first; k < last; ++k) {
+          const Index i = places_[k];
           const Vector before = begins ? mean_.zero() : mean[i];
           mean[i] = per_duration * (before + dt_ * Vector(v[i]));
         }
@@ -136,9 +146,12 @@ class RunningCycle<Subcycling, Nodes> {
         if (pace.slow.empty()) return;
         std::size_t near = 0;
         for (std::size_t b = 0; b < pace.slow.size(); ++b) near += pace.slow[b] ? 0 : part.count(b);
-        notices.push_back(joined({"part ", std::to_string(part.number()), " is advanced once in ",
-                                  std::to_string(multiple_), " steps, but for ", std::to_string(near), " of its ",
-                                  std::to_string(part.size()), " elements, which are near faster ones."}));
+        std::string text = joined(
+            {"part ", std::to_string(part.number()), " is advanced once in ", std::to_string(multiple_), " steps"});
+        if (near > 0)
+          text += joined({", but for ", std::to_string(near), " of its ", std::to_string(part.size()),
+                          " elements, which are near faster ones"});
+        notices.push_back(text + ".");
       }
     };
     std::apply([&](const auto&... thing) { (ask(thing), ...); }, things);
@@ -241,7 +254,8 @@ class RunningCycle<Subcycling, Nodes> {
   Subcycling policy_;
   std::size_t multiple_ = 1, done_ = 0;  // steps of a cycle, and of the present one
   double duration_ = 0;                  // of these
-  Motion mean_;                          // velocities over the cycle; until it is complete, paths
+  std::vector<Index> places_;            // of the nodes of what is slow
+  Motion mean_;                          // their velocities over the cycle; until it is complete, paths
   std::vector<Pace> paces_;              // of the parts
 };
 
