@@ -62,7 +62,7 @@ class RunningCycle<Subcycling, Nodes> {
 
   /// When all parts have told their steps: chooses which are slow.
   template <class Things>
-  void begin(Things& things, const Nodes& nodes) {
+  void begin(const Things& things, const Nodes& nodes) {
     choose(things);
     if (multiple_ == 1) return;
     mean_.velocity.assign(nodes.places(), mean_.zero());
@@ -137,24 +137,26 @@ class RunningCycle<Subcycling, Nodes> {
     return stable;
   }
 
+  /// How many elements of a part are advanced once in a cycle.
+  template <class Part>
+  std::size_t slow(const Part& part) const {
+    const Pace& pace = paces_[part.number()];
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < pace.slow.size(); ++b) count += pace.slow[b] ? part.count(b) : 0;
+    return count;
+  }
   /// A sentence for each slow part.
   template <class Things>
   void tell(const Things& things, std::vector<std::string>& notices) const {
-    const auto ask = [&](const auto& part) {
-      if constexpr (requires { part.number(); }) {
-        const Pace& pace = paces_[part.number()];
-        if (pace.slow.empty()) return;
-        std::size_t near = 0;
-        for (std::size_t b = 0; b < pace.slow.size(); ++b) near += pace.slow[b] ? 0 : part.count(b);
-        std::string text = joined(
-            {"part ", std::to_string(part.number()), " is advanced once in ", std::to_string(multiple_), " steps"});
-        if (near > 0)
-          text += joined({", but for ", std::to_string(near), " of its ", std::to_string(part.size()),
-                          " elements, which are near faster ones"});
-        notices.push_back(text + ".");
-      }
-    };
-    std::apply([&](const auto&... thing) { (ask(thing), ...); }, things);
+    each_part(things, [&](const auto& part, const Pace& pace) {
+      if (pace.slow.empty()) return;
+      std::string text = joined(
+          {"part ", std::to_string(part.number()), " is advanced once in ", std::to_string(multiple_), " steps"});
+      if (const std::size_t near = part.size() - slow(part); near > 0)
+        text += joined({", but for ", std::to_string(near), " of its ", std::to_string(part.size()),
+                        " elements, which are near faster ones"});
+      notices.push_back(text + ".");
+    });
   }
 
   template <class Archive>
@@ -206,16 +208,24 @@ class RunningCycle<Subcycling, Nodes> {
 
   /// f(part, its pace).
   template <class Things, class F>
-  void each_part(Things& things, const F& f) {
-    const auto visit = [&](auto& thing) {
-      if constexpr (requires { thing.number(); }) f(thing, paces_[thing.number()]);
+  void each_part(const Things& things, const F& f) {
+    each_part(things, paces_, f);
+  }
+  template <class Things, class F>
+  void each_part(const Things& things, const F& f) const {
+    each_part(things, paces_, f);
+  }
+  template <class Things, class Paces, class F>
+  static void each_part(const Things& things, Paces& paces, const F& f) {
+    const auto visit = [&](const auto& thing) {
+      if constexpr (requires { thing.number(); }) f(thing, paces[thing.number()]);
     };
-    std::apply([&](auto&... thing) { (visit(thing), ...); }, things);
+    std::apply([&](const auto&... thing) { (visit(thing), ...); }, things);
   }
 
   /// The multiple with which the fewest elements are advanced, and the parts that allow it.
   template <class Things>
-  void choose(Things& things) {
+  void choose(const Things& things) {
     double least = std::numeric_limits<double>::infinity();
     for (const Pace& pace : paces_) least = std::min(least, pace.own_step);
     const auto allows = [&](const auto& part, const Pace& pace, std::size_t multiple) {
