@@ -1,10 +1,10 @@
 // What subcycling saves, and where impulses of slow parts make fast ones unstable: chains of masses whose growth is
-// that of the worst eigenvalue of a cycle, and a block of two parts with and without.
+// that of the worst eigenvalue of a cycle, a block of two parts that shivers, and one that strikes with and without.
 //
 //   build/bench/bench/subcycling
 //   build/bench/bench/subcycling repeats=9
 //
-// Written into out/subcycling: stability.md, time.md.
+// Written into out/subcycling: time.md, shivering.md, stability.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -120,14 +120,16 @@ struct Block {
   Index cells, layers;
   double ratio, speed;
 
-  auto scene() const {
+  Mesh mesh() const {
     const double h = 1e-3, width = 10 * ratio * h;
-    const Mesh mesh =
-        transformed(box({.size = {cells * width, cells * width, 1. * layers}, .cells = {cells, cells, layers}}),
-                    [&](const Eigen::Vector3d& x) {
-                      const double k = std::round(x.z()), fine = layers / 10;
-                      return Eigen::Vector3d(x.x(), x.y(), h * (std::min(k, fine) + ratio * std::max(k - fine, 0.)));
-                    });
+    return transformed(box({.size = {cells * width, cells * width, 1. * layers}, .cells = {cells, cells, layers}}),
+                       [&](const Eigen::Vector3d& x) {
+                         const double k = std::round(x.z()), fine = layers / 10;
+                         return Eigen::Vector3d(x.x(), x.y(), h * (std::min(k, fine) + ratio * std::max(k - fine, 0.)));
+                       });
+  }
+  auto scene() const {
+    const Mesh mesh = this->mesh();
     const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 167e9},
                       VonMises{.shear_modulus = 77e9, .yield_stress = 400e6, .hardening_modulus = 1e9}};
     const auto middle = mesh.hexahedra.begin() + mesh.hexahedra.size() / 10;
@@ -204,6 +206,58 @@ std::string time(std::size_t repeats) {
   return table;
 }
 
+/// What the energy of a free elastic block is off by at most while it shivers, from wild velocities on.
+template <class Viscosity>
+std::string shivering(const Block& block, std::size_t cycles) {
+  const Mesh mesh = block.mesh();
+  const auto middle = mesh.hexahedra.begin() + mesh.hexahedra.size() / 10;
+  const auto worst = [&](double factor, std::size_t layers) {
+    const Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+    const Hex8 element{StiffnessHourglass{}, HughesWinget{}, Viscosity{}};
+    const auto wild = [](const Eigen::Vector3d& x) {
+      const double k = 1e6 * (x.x() + 1.7 * x.y() + 2.3 * x.z());
+      return Eigen::Vector3d{std::sin(k), std::sin(1.3 * k + 1), std::sin(1.9 * k + 2)};
+    };
+    Explicit run{Scene{mesh.nodes, Part{element, steel, Cells<8>(mesh.hexahedra.begin(), middle)},
+                       Part{element, steel, Cells<8>(middle, mesh.hexahedra.end())}, InitialVelocityField{wild}},
+                 {.step_factor = factor, .energy_tolerance = 10},
+                 in<double>,
+                 Subcycling{.layers = layers}};
+    double error = 0;
+    try {
+      while (run.steps() < cycles * run.cycle().multiple()) {
+        run.step();
+        error = std::max(error, std::abs(run.energy().error()));
+      }
+    } catch (const Error&) {
+      return std::string("grows");
+    }
+    return number("%.1f %%", 100 * error);
+  };
+  std::string rows;
+  for (const double factor : {0.5, 0.7, 0.8, 0.9, 0.95}) {
+    std::string row =
+        detail::joined({"| ", number("%g", block.ratio), ", ",
+                        std::is_same_v<Viscosity, NoBulkViscosity> ? "without" : "with", ", ", number("%.2f", factor)});
+    for (const std::size_t layers : {0, 1, 2, 3}) row += " | " + worst(factor, layers);
+    row += " |\n";
+    std::printf("%s", row.c_str());
+    std::fflush(stdout);
+    rows += row;
+  }
+  return rows;
+}
+std::string shivering() {
+  std::string table =
+      "| ratio, bulk viscosity, step factor | no layer | 1 layer | 2 layers | 3 layers |\n|---|--:|--:|--:|--:|\n";
+  std::printf("%s", table.c_str());
+  for (const double ratio : {2.1, 4.1, 8.2}) {
+    table += shivering<NoBulkViscosity>({4, 20, ratio, 0}, 1000);
+    table += shivering<BulkViscosity>({4, 20, ratio, 0}, 1000);
+  }
+  return table;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -211,7 +265,8 @@ int main(int count, char** arguments) {
     const std::size_t repeats = options.count("repeats", 5);
     options.check();
     detail::replace_file("out/subcycling/time.md", time(repeats));
+    detail::replace_file("out/subcycling/shivering.md", shivering());
     detail::replace_file("out/subcycling/stability.md", stability());
-    std::printf("\nWritten: out/subcycling/time.md, out/subcycling/stability.md\n");
+    std::printf("\nWritten: out/subcycling/time.md, shivering.md, stability.md\n");
   });
 }
