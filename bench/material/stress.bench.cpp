@@ -104,11 +104,27 @@ const bool registered = [] {
                                  .melting_temperature = 1356,
                                  .heating = 2.6e-7};
 
+  const PowerHardening power{.shear_modulus = 43.3e9, .coefficient = 600e6, .exponent = .2, .initial_strain = .01};
+  const TabulatedHardening table{43.3e9, {{0, 40e6}, {.01, 60e6}, {.05, 90e6}, {.2, 130e6}, {.5, 180e6}, {2, 240e6}}};
+  const ZerilliArmstrong zerilli_armstrong{
+      .shear_modulus = 43.3e9, .C0 = 65e6, .C2 = 890e6, .C3 = .0028, .C4 = .000115, .heating = 2.6e-7};
+  const Prony<1> prony{.shear_modulus = 43.3e9, .terms = {{.share = .9, .time = 1e-6}}};
+
   prices("Elastic", elastic);
   prices("LinearEos VonMises", Solid{linear, von_mises});
   prices("LinearEos RateVonMises", Solid{linear, rate_von_mises});
   prices("LinearEos Voce", Solid{linear, voce});
   prices("LinearEos JohnsonCook", Solid{linear, johnson_cook});
+  prices("LinearEos PowerHardening", Solid{linear, power});
+  prices("LinearEos TabulatedHardening", Solid{linear, table});
+  prices("LinearEos CowperSymonds", Solid{linear, CowperSymonds{table, 6500, 4}});
+  prices("LinearEos ZerilliArmstrong", Solid{linear, zerilli_armstrong});
+  prices("LinearEos KinematicHardening",
+         Solid{linear, KinematicHardening{.shear_modulus = 43.3e9, .yield_stress = 40e6, .hardening_modulus = 100e6}});
+  prices("LinearEos Prony", Solid{linear, prony});
+  prices("LinearEos MooneyRivlin", Solid{linear, MooneyRivlin{.C10 = 20e9, .C01 = 1.65e9}});
+  prices("LinearEos VonMises JohnsonCookFailure", Solid{linear, von_mises, JohnsonCookFailure{.D1 = 1e12}});
+  prices("LinearEos VonMises PrincipalStress", Solid{linear, von_mises, PrincipalStress{.strength = 1e12}});
   prices("LinearEos VonMises UltimateStress", Solid{linear, von_mises, UltimateStress{.ultimate_stress = 1e12}});
   prices("PolynomialEos VonMises", Solid{polynomial, von_mises});
   prices("GruneisenEos VonMises", Solid{gruneisen, von_mises});
@@ -117,6 +133,7 @@ const bool registered = [] {
   prices("PlaneStress Elastic", PlaneStress{elastic});
   prices("PlaneStress VonMises, elastic", PlaneStress{Solid{linear, strong}});
   prices("PlaneStress VonMises", PlaneStress{Solid{linear, von_mises}});
+  prices("PlaneStress TabulatedHardening", PlaneStress{Solid{linear, table}});
   prices("PlaneStress RateVonMises", PlaneStress{Solid{linear, rate_von_mises}});
   prices("PlaneStress Voce", PlaneStress{Solid{linear, voce}});
   prices("PlaneStress JohnsonCook", PlaneStress{Solid{linear, johnson_cook}});
@@ -125,6 +142,13 @@ const bool registered = [] {
   prices("ZeroNormalStress GruneisenEos JohnsonCook", ZeroNormalStress{Solid{gruneisen, johnson_cook}});
 
   prices("CubicEos", Fluid{CubicEos{.density = 938, .C1 = 2.06e9, .C2 = 6.19e9, .C3 = 10.3e9}});
+  prices("Jwl", Fluid{Jwl{.density = 1630,
+                          .A_products = 371.2e9,
+                          .B_products = 3.231e9,
+                          .R1 = 4.15,
+                          .R2 = .95,
+                          .omega = .3,
+                          .initial_energy = 7e9}});
   prices("IdealGas Newtonian",
          Fluid{IdealGas{.density = 1.2, .gamma = 1.4, .initial_energy = 2.5e5}, Newtonian{.viscosity = 1e-5}});
   return true;

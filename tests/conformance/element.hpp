@@ -18,6 +18,7 @@
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/scalar/pack.hpp>
+#include <strike/verify/patch_test.hpp>
 #include <strike/verify/single_element.hpp>
 
 #include "support/catch.hpp"
@@ -381,35 +382,17 @@ void failed_elements_are_silent(const E& element, const M& brittle_material, Sha
 template <class E>
 void passes_the_patch_test(const E& element, Shapes<8> shapes, const Eigen::Vector3d& stretch = Eigen::Vector3d::Ones(),
                            double tolerance = 1e-12) {
-  const Nodal<double, 8> outer = unit_cube();
   for (int trial = 0; trial < 5; ++trial) {
-    Eigen::Matrix<double, 3, 16> x;
-    x << outer, (0.4 * (outer.array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal();
-    x = stretch.asDiagonal() * x.eval();
-    constexpr int cells[7][8] = {{8, 9, 10, 11, 12, 13, 14, 15},                                // the core
-                                 {0, 1, 2, 3, 8, 9, 10, 11},     {12, 13, 14, 15, 4, 5, 6, 7},  // below, above
-                                 {0, 1, 9, 8, 4, 5, 13, 12},     {11, 10, 2, 3, 15, 14, 6, 7},  // front, back
-                                 {0, 8, 11, 3, 4, 12, 15, 7},    {9, 1, 2, 10, 13, 5, 6, 14}};  // left, right
+    Patch<8> patch = hexahedra_patch((0.4 * (unit_cube().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal());
+    patch.nodes = stretch.asDiagonal() * patch.nodes.eval();
     Eigen::Matrix3d L = 1e-3 * shapes.matrix();
     L += (1e-3 - L.trace() / 3) * Eigen::Matrix3d::Identity();  // no compression: bulk viscosity depends on the size
-    const Eigen::Matrix<double, 3, 16> v = L * x;
-    Eigen::Matrix<double, 3, 16> force = Eigen::Matrix<double, 3, 16>::Zero();
-    std::vector<SymmetricTensor<double>> stresses;
-    double volume = 0;
-    for (const auto& cell : cells) {
-      Nodal<double, 8> x_cell, v_cell;
-      for (int i = 0; i < 8; ++i) x_cell.col(i) = x.col(cell[i]), v_cell.col(i) = v.col(cell[i]);
-      SingleElement single{element, Elastic{1, 1, 0.3}, x_cell};
-      const auto& now = single.step(v_cell, 1.0);
-      for (int i = 0; i < 8; ++i) force.col(cell[i]) += now.force.col(i);
-      single.state().each_point([&](const auto& point) { stresses.push_back(point.stress); });
-      volume += now.volume;
-    }
-    const double stress = stresses[0].matrix().norm();
-    for (const auto& s : stresses) CHECK((s - stresses[0]).matrix().norm() <= tolerance * stress);
-    CHECK(force.rightCols(8).norm() <= tolerance * force.norm());
-    CHECK(force.leftCols(8).norm() > 0.1 * stress * (stretch.prod() / stretch.maxCoeff()));
-    CHECK(volume == Approx(stretch.prod() * (Eigen::Matrix3d::Identity() + L).determinant()).epsilon(1e-13));
+    const auto response = move_patch(element, Elastic{1, 1, 0.3}, patch, L * patch.nodes, 1.0);
+    CHECK(response.spread([](const auto& s) { return s.matrix(); }) <= tolerance);
+    CHECK(response.unbalanced_force() <= tolerance);
+    const double stress = response.elements[0].stress.matrix().norm();
+    CHECK(response.force.leftCols(8).norm() > 0.1 * stress * (stretch.prod() / stretch.maxCoeff()));
+    CHECK(response.volume() == Approx(stretch.prod() * (Eigen::Matrix3d::Identity() + L).determinant()).epsilon(1e-13));
   }
 }
 

@@ -2,6 +2,9 @@
 
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
+#include <strike/verify/workbench.hpp>
+
+#include "output/scratch.hpp"
 
 using namespace strike;
 using testing::conforms;
@@ -70,17 +73,18 @@ struct Tetrahedron {
   };
 };
 
-Nodal<double, 4> tetrahedron() {
-  Nodal<double, 4> x;
-  x << 0, 1, 0, 0,  //
-      0, 0, 1, 0,   //
-      0, 0, 0, 1;
-  return x;
-}
-
 }  // namespace
 
-TEST_CASE("conformance: an element of a test's own") { conforms(Tetrahedron{}, FiniteRotations::exact, tetrahedron()); }
+TEST_CASE("conformance: an element of a test's own") {
+  conforms(Tetrahedron{}, FiniteRotations::exact, unit_tetrahedron());
+}
+
+TEST_CASE("the workbench passes an element of a test's own") {
+  const ScratchFolder folder("own-element");
+  Workbench bench{folder / "out"};
+  bench.element("Tetrahedron", Tetrahedron{}, Elastic{1, 1, 0.3});
+  CHECK(bench.finish() == 0);
+}
 
 static_assert(Element<Tetrahedron>);
 static_assert(!Element<int> && !Element<Elastic> && !Element<HughesWinget>);

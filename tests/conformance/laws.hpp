@@ -23,6 +23,23 @@ inline constexpr JohnsonCook johnson_cook{.shear_modulus = G,
                                           .melting_temperature = 1356,
                                           .heating = 2.6e-7};
 
+inline constexpr ElasticStrength elastic_strength{.shear_modulus = G};
+inline constexpr PowerHardening power{.shear_modulus = G, .coefficient = 600e6, .exponent = .2, .initial_strain = .01};
+inline const TabulatedHardening table{G, {{0, 90e6}, {.01, 150e6}, {.05, 220e6}, {.3, 300e6}, {.6, 290e6}}};
+inline constexpr ZerilliArmstrong zerilli_armstrong{.shear_modulus = G,
+                                                    .C0 = 65e6,
+                                                    .C1 = 100e6,
+                                                    .C2 = 890e6,
+                                                    .C3 = .0028,
+                                                    .C4 = .000115,
+                                                    .C5 = 50e6,
+                                                    .n = .3,
+                                                    .heating = 2.6e-7};
+
+inline constexpr JohnsonCookFailure damage{.D1 = .54, .D2 = 4.89, .D3 = -3.03, .D4 = .014, .D5 = 1.12};
+inline constexpr PrincipalStress brittle{.strength = 50e9};
+inline constexpr TulerButcher delayed{.threshold = 1e9, .strength = 10e9, .duration = 2e-6, .exponent = 2};
+
 /// A flow law of a user's own, as short as they come.
 struct Voce {
   double shear_modulus, Y, Q, b;

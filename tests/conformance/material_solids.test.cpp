@@ -26,3 +26,7 @@ TEST_CASE("conformance: Solid of GruneisenEos and JohnsonCook") { conforms(Solid
 TEST_CASE("conformance: Solid of LinearEos and a law of this test") {
   conforms(Solid{linear, Voce{G, 100e6, 200e6, 10}});
 }
+TEST_CASE("conformance: Solid of LinearEos and Sensitive") {
+  const std::array p{Dual<double, 2>::variable(von_mises.yield_stress, 0)};
+  conforms(Solid{linear, Sensitive{von_mises, p, &VonMises::yield_stress}});
+}

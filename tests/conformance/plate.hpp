@@ -266,11 +266,11 @@ template <class E>
 void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
   const double tolerance = 1e-12;  // rounding
   using Vectors = Eigen::Matrix<double, 3, 8>;
-  struct Patch {
+  struct Response {
     std::vector<Eigen::Matrix3d> force, moment;  // of each quadrilateral, in space
     std::vector<Eigen::Vector3d> shear;
-    Vectors nodal_force = Vectors::Zero(), nodal_moment = Vectors::Zero(), couple = Vectors::Zero();
-    double area = 0;
+    Vectors nodal_force, nodal_moment, couple = Vectors::Zero();
+    double area;
   };
   const auto same = [&](const auto& all) {
     for (const auto& one : all) CHECK((one - all[0]).norm() <= tolerance * all[0].norm());
@@ -278,41 +278,33 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
   const auto balance = [&](const auto& nodal) { CHECK(nodal.rightCols(4).norm() <= tolerance * nodal.norm()); };
 
   for (int trial = 0; trial < 5; ++trial) {
-    Vectors X;
-    X << unit_square(), (0.4 * (unit_square().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal();
-    X.row(2).setZero();
+    Patch<4> patch = quadrilaterals_patch((0.4 * (unit_square().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal());
+    patch.nodes.row(2).setZero();
     const Eigen::Matrix3d turn = shapes.turn();
-    X = turn * X.eval();
+    const Vectors X = turn * patch.nodes;
+    patch.nodes = X;
 
     const auto respond = [&](const auto& section, const Vectors& v, const Vectors& w) {
-      constexpr int cells[5][4] = {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-      Patch patch;
-      for (const auto& cell : cells) {
-        Nodal<double, 4> x;
-        Nodal<double, 8> motion;
-        for (int i = 0; i < 4; ++i) {
-          x.col(i) = X.col(cell[i]);
-          motion.col(i) = v.col(cell[i]), motion.col(4 + i) = w.col(cell[i]);
-        }
-        SingleElement single{element, section, x};
-        const auto& now = single.step(motion, 1e-14);  // so short that its end is its middle
-        const Plate4Modes<double> m = to_plate_modes<double>(x);
+      Eigen::Matrix3Xd motion(3, 16);
+      motion << v, w;
+      const auto moved = move_patch(element, section, patch, motion, 1e-14);  // so short that its end is its middle
+      Response response{{}, {}, {}, moved.force, moved.moment, Vectors::Zero(), moved.volume()};
+      for (std::size_t k = 0; k < patch.cells.size(); ++k) {
+        const auto& now = moved.elements[k];
+        const Plate4Modes<double> m = to_plate_modes<double>(now.x);
         const Plate4Frame<double> frame(m.xi, m.eta);
         Eigen::Matrix<double, 3, 2> e;
         e << frame.e1(), frame.e2();
         const auto in_space = [&](const PlaneTensor<double>& a) -> Eigen::Matrix3d {
           return e * Eigen::Matrix2d{{a.xx, a.xy}, {a.xy, a.yy}} * e.transpose();
         };
-        patch.force.push_back(in_space(now.stress.force));
-        patch.moment.push_back(in_space(now.stress.moment));
-        patch.shear.push_back(e * now.stress.shear);
-        for (int i = 0; i < 4; ++i) {
-          patch.nodal_force.col(cell[i]) += now.force.col(i), patch.nodal_moment.col(cell[i]) += now.force.col(4 + i);
-          patch.couple.col(cell[i]) += 0.25 * now.volume * frame.normal.cross(patch.shear.back());
-        }
-        patch.area += now.volume;
+        response.force.push_back(in_space(now.stress.force));
+        response.moment.push_back(in_space(now.stress.moment));
+        response.shear.push_back(e * now.stress.shear);
+        for (const int node : patch.cells[k])
+          response.couple.col(node) += 0.25 * now.volume * frame.normal.cross(response.shear.back());
       }
-      return patch;
+      return response;
     };
     const auto in_plane = [&](Eigen::Matrix3d A) -> Eigen::Matrix3d {
       A.row(2).setZero(), A.col(2).setZero();
@@ -321,19 +313,19 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
     const Vectors still = Vectors::Zero();
 
     const Eigen::Matrix3d L = in_plane(shapes.matrix());
-    const Patch stretched = respond(elastic_plate, L * X, axial_vector<double>(L).replicate(1, 8));
+    const Response stretched = respond(elastic_plate, L * X, axial_vector<double>(L).replicate(1, 8));
     same(stretched.force), balance(stretched.nodal_force);
     CHECK(stretched.nodal_moment.norm() <= tolerance * stretched.nodal_force.norm());
     CHECK(stretched.area == Approx(1).epsilon(1e-13));
 
     const Homogeneous sliding{PlaneStress{Elastic{1, 1, 0.3}}, 0.2, Simpson<5>{}, SlidingLayers{}};
-    const Patch bent = respond(sliding, still, in_plane(shapes.matrix()) * X);
+    const Response bent = respond(sliding, still, in_plane(shapes.matrix()) * X);
     same(bent.moment), balance(bent.nodal_moment);
     CHECK(bent.nodal_force.norm() <= tolerance * bent.nodal_moment.norm());
 
     const Eigen::Vector3d normal = turn.col(2), slope = turn * shapes.vector();
     const Vectors turned = (turn.leftCols<2>() * Eigen::Vector2d(shapes.unit(), shapes.unit())).replicate(1, 8);
-    const Patch sheared = respond(elastic_plate, normal * slope.transpose() * X, turned);
+    const Response sheared = respond(elastic_plate, normal * slope.transpose() * X, turned);
     same(sheared.shear), balance(sheared.nodal_force);
     if (E::projects_shear) {  // the edges give nodes other shares of the couple
       const Eigen::Vector3d left = (sheared.nodal_moment - sheared.couple).rowwise().sum();
@@ -344,7 +336,7 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
       const Vectors sinks = normal * (0.5 * slopes.cwiseProduct(X).colwise().sum());
       Vectors turns;
       for (int i = 0; i < 8; ++i) turns.col(i) = normal.cross(Eigen::Vector3d(slopes.col(i)));
-      const Patch deflected = respond(elastic_plate, sinks, -turns);
+      const Response deflected = respond(elastic_plate, sinks, -turns);
       same(deflected.moment), balance(deflected.nodal_moment);
       for (const auto& shear : deflected.shear) CHECK(shear.norm() <= tolerance * deflected.moment[0].norm());
       CHECK(deflected.nodal_force.norm() <= 10 * tolerance * deflected.nodal_moment.norm());

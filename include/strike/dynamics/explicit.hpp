@@ -114,7 +114,7 @@ class Explicit {
   const Energy& energy() const { return energy_; }
   Eigen::Vector3d momentum() const {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < nodes_.size(); ++i) p += nodes_.mass(i) * nodes_.v(i);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) p += nodes_.mass(i) * nodes_.v(i).template cast<double>();
     return p;
   }
 
@@ -122,7 +122,7 @@ class Explicit {
   Nodes& nodes() { return nodes_; }
   std::vector<Eigen::Vector3d> positions() const {
     std::vector<Eigen::Vector3d> x(nodes_.size());
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_.x(i).template cast<double>();
     return x;
   }
   /// Whether all its things tell an archive what they remember.
@@ -280,8 +280,9 @@ class Explicit {
   double motion_energy() const {
     double energy = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      energy += 0.5 * nodes_.mass(i) * nodes_.v(i).squaredNorm();
-      if constexpr (Nodes::nodes_turn) energy += 0.5 * nodes_.inertia(i) * nodes_.w(i).squaredNorm();
+      energy += 0.5 * nodes_.mass(i) * nodes_.v(i).template cast<double>().squaredNorm();
+      if constexpr (Nodes::nodes_turn)
+        energy += 0.5 * nodes_.inertia(i) * nodes_.w(i).template cast<double>().squaredNorm();
     }
     return energy;
   }
@@ -290,8 +291,8 @@ class Explicit {
   double force_power() const {
     double power = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      power += nodes_.f(i).dot(nodes_.v(i));
-      if constexpr (Nodes::nodes_turn) power += nodes_.moment(i).dot(nodes_.w(i));
+      power += static_cast<double>(nodes_.f(i).dot(nodes_.v(i)));
+      if constexpr (Nodes::nodes_turn) power += static_cast<double>(nodes_.moment(i).dot(nodes_.w(i)));
     }
     return power;
   }
@@ -299,10 +300,10 @@ class Explicit {
   /// v += kick f/m, and of nodes that turn w += kick moment/inertia. Collects the kinetic energy m v-.v+/2 but for the
   /// impulses of the constraints, which the ledger knows.
   void kick() {
-    const Real kick = static_cast<Real>(step_.kick());
+    const auto kick = static_cast<RealOf<Real>>(step_.kick());
     detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
       Padded<double> kinetic = 0;
-      const auto kicked = [&](Real m, const Padded<Real>& v, const Padded<Real>& f) {
+      const auto kicked = [&](RealOf<Real> m, const Padded<Real>& v, const Padded<Real>& f) {
         const Padded<Real> after = v + Padded<Real>(kick / m) * f;
         kinetic += Padded<double>(Padded<Real>(m) * v * after);
         return after;
@@ -376,7 +377,7 @@ class Explicit {
   }
 
   void drift() {
-    const Real dt = static_cast<Real>(step_.dt);
+    const auto dt = static_cast<RealOf<Real>>(step_.dt);
     detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) nodes_.position()[i] += Padded<Real>(dt) * nodes_.velocity()[i];
     });
@@ -448,7 +449,7 @@ class Explicit {
     throw Error(detail::joined(
         {"strike: at t = ", detail::text(clock_.time()), ", step ", std::to_string(step_.number), ": ", why, "."}));
   }
-  std::string place(std::size_t i) const { return detail::text(nodes_.x(i)); }
+  std::string place(std::size_t i) const { return detail::text(nodes_.x(i).template cast<double>()); }
 
   ExplicitOptions options_;
   Execution execution_;

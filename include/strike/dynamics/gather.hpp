@@ -19,9 +19,9 @@ namespace detail {
 /// Moves the padded vectors of `lanes<T>` nodes into the lanes of three numbers, and back onto the nodes.
 template <class T>
 struct Transposer {
-  using Field = NodalField<RealOf<T>>;
   using Places = std::array<Index, lanes<T>>;
 
+  template <class Field>
   static Vector3<T> load(const Field& field, const Places& nodes) {
     Vector3<T> a;
     for (std::size_t l = 0; l < lanes<T>; ++l) {
@@ -30,6 +30,7 @@ struct Transposer {
     }
     return a;
   }
+  template <class Field>
   static void subtract(const Vector3<T>& a, Field& field, const Places& nodes, std::size_t count) {
     for (std::size_t l = 0; l < count; ++l) {
       Padded<RealOf<T>>& node = field[nodes[l]];
@@ -41,7 +42,6 @@ struct Transposer {
 /// The same for registers of whole quadruples: a node is one load, and quadruples of nodes are transposed in registers.
 template <class T, std::size_t N>
 requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
-  using Field = NodalField<T>;
   using Places = std::array<Index, N>;
   static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
   static constexpr std::size_t registers = N / width, quads = width / 4;
@@ -61,6 +61,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
   }
 
   /// The nodes first, first + 4, ... side by side.
+  template <class Field>
   static Wide load_row(const Field& field, const Index* nodes) {
     const Quad q0 = field[nodes[0]].native(0);
     if constexpr (quads == 1) {
@@ -80,6 +81,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
   static Quad quad(const Wide& row) {
     return __builtin_shufflevector(row, row, 4 * q, 4 * q + 1, 4 * q + 2, 4 * q + 3);
   }
+  template <class Field>
   static Vector3<Pack<T, N>> load(const Field& field, const Places& nodes) {
     Vector3<Pack<T, N>> v;
     for (std::size_t k = 0; k < registers; ++k) {
@@ -94,6 +96,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
     return v;
   }
 
+  template <class Field>
   static void subtract(const Vector3<Pack<T, N>>& v, Field& field, const Places& nodes, std::size_t count) {
     for (std::size_t k = 0; k < registers; ++k) {
       const Wide x = v(0).native(k), y = v(1).native(k), z = v(2).native(k);
@@ -115,6 +118,38 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
   }
 };
 
+/// The same for the values and each derivative of dual numbers.
+template <class T, std::size_t N>
+struct Transposer<Dual<T, N>> {
+  using Places = std::array<Index, lanes<T>>;
+
+  /// Number k of the vectors of a field: their values, or a derivative.
+  template <class Field>
+  struct Numbers {
+    Field& field;
+    std::size_t k;
+
+    auto& operator[](Index place) const { return numbers_of<Padded<RealOf<T>>>(field[place])[k]; }
+  };
+  template <class Field>
+  static Vector3<Dual<T, N>> load(const Field& field, const Places& nodes) {
+    Vector3<Dual<T, N>> a;
+    for (std::size_t k = 0; k <= N; ++k) {
+      const Vector3<T> a_k = Transposer<T>::load(Numbers<const Field>{field, k}, nodes);
+      for (int c = 0; c < 3; ++c) numbers_of<T>(a(c))[k] = a_k(c);
+    }
+    return a;
+  }
+  template <class Field>
+  static void subtract(const Vector3<Dual<T, N>>& a, Field& field, const Places& nodes, std::size_t count) {
+    for (std::size_t k = 0; k <= N; ++k) {
+      const auto number = [&](int c) -> const T& { return numbers_of<T>(a(c))[k]; };
+      const Numbers<Field> numbers{field, k};
+      Transposer<T>::subtract(Vector3<T>(number(0), number(1), number(2)), numbers, nodes, count);
+    }
+  }
+};
+
 /// f(i) for every corner i; unrolled at every level of optimisation.
 template <std::size_t n, class F>
 void for_each_corner(const F& f) {
@@ -126,7 +161,7 @@ void for_each_corner(const F& f) {
 
 /// Nodal vectors into lanes.
 template <class T, std::size_t n>
-Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<RealOf<T>>& field,
+Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<LaneOf<T>>& field,
                                                 const BlockNodes<n, lanes<T>>& nodes) {
   Eigen::Matrix<T, 3, static_cast<int>(n)> a;
   detail::for_each_corner<n>([&](std::size_t i) { set_column(a, i, detail::Transposer<T>::load(field, nodes[i])); });
@@ -135,8 +170,8 @@ Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<RealOf<T>>& fie
 
 /// Those of two fields, the second behind the first.
 template <class T, std::size_t n>
-Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<RealOf<T>>& first,
-                                                    const NodalField<RealOf<T>>& second,
+Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<LaneOf<T>>& first,
+                                                    const NodalField<LaneOf<T>>& second,
                                                     const BlockNodes<n, lanes<T>>& nodes) {
   Eigen::Matrix<T, 3, static_cast<int>(2 * n)> a;
   detail::for_each_corner<n>([&](std::size_t i) {
@@ -148,7 +183,7 @@ Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<RealOf<T>>&
 
 /// field -= f for the first `count` lanes, node after node and lane after lane; f from its column `first` on.
 template <class T, std::size_t n, int m>
-void scatter_subtract(const Eigen::Matrix<T, 3, m>& f, NodalField<RealOf<T>>& field,
+void scatter_subtract(const Eigen::Matrix<T, 3, m>& f, NodalField<LaneOf<T>>& field,
                       const BlockNodes<n, lanes<T>>& nodes, std::size_t count, std::size_t first = 0) {
   detail::for_each_corner<n>(
       [&](std::size_t i) { detail::Transposer<T>::subtract(column(f, first + i), field, nodes[i], count); });

@@ -16,17 +16,18 @@ namespace strike {
 /// forces of nodes, in which small changes add up.
 ///   Explicit run{scene, options, in<Pack<float>>};          // all in single precision
 ///   Explicit run{scene, options, in<Pack<float>, double>};  // mixed: elements in single, nodes in double precision
-template <class T, class Node = RealOf<T>>
+///   Explicit run{scene, options, in<Dual<Pack<double>, 2>>};  // with derivatives, see strike/calibrate.hpp
+template <class T, class Node = LaneOf<T>>
 struct In {
   using Number = T;
   using NodeReal = Node;
   template <bool turn>
-  using Nodes = strike::Nodes<Node, RealOf<T>, turn>;
+  using Nodes = strike::Nodes<Node, LaneOf<T>, turn>;
   static constexpr bool is_scalar = Scalar<T>;
   static_assert(is_scalar,
                 "strike: in<T> names the number in the formulas: double, Pack<double, N>, Pack<float, N> or a Dual.");
 };
-template <class T, class Node = RealOf<T>>
+template <class T, class Node = LaneOf<T>>
 inline constexpr In<T, Node> in{};
 
 namespace detail {

@@ -125,7 +125,7 @@ struct EveryStep {
 }  // namespace detail
 
 /// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
-template <class E, class M, class T, class Nodes = strike::Nodes<RealOf<T>, RealOf<T>, turns_nodes<E>()>,
+template <class E, class M, class T, class Nodes = strike::Nodes<LaneOf<T>, LaneOf<T>, turns_nodes<E>()>,
           class Removal = NoErosion>
 class RunningPart {
  public:
@@ -134,6 +134,7 @@ class RunningPart {
   static constexpr bool erodes = std::same_as<Removal, Erosion>;
   static constexpr bool averages_volume = requires { requires E::averages_volume; };
   using State = typename E::template State<M, T>;
+  static constexpr bool scales_mass = requires(State state) { state.mass_factor; };
 
   struct Block {
     BlockNodes<n, width> nodes;
@@ -228,12 +229,20 @@ class RunningPart {
   /// What the user should know of the material and of what was deleted, if anything: a sentence each.
   std::string notice() const {
     std::string text = material_notice();
+    if constexpr (scales_mass)
+      if (added_mass() > 0)
+        text += detail::joined({text.empty() ? "" : " ", "Mass scaling has added ", detail::text(added_mass()),
+                                " to part ", std::to_string(number_), ", ", detail::text(100 * added_mass() / mass_),
+                                " % of its mass; most to element ", std::to_string(scaling_.element), ", which has ",
+                                detail::text(scaling_.largest), " times its own."});
     if constexpr (erodes)
       if (deleted() > 0)
         text += detail::joined({text.empty() ? "" : " ", std::to_string(deleted()), " of ", std::to_string(size_),
                                 " elements of part ", std::to_string(number_), " have been deleted."});
     return text;
   }
+  /// What MassScaled has added to its elements [mass].
+  double added_mass() const requires scales_mass { return scaling_.added; }
   /// How many elements have been deleted, and in the last step.
   std::size_t deleted() const requires erodes { return deleted_; }
   std::size_t newly_deleted() const requires erodes { return newly_deleted_.deleted; }
@@ -325,7 +334,9 @@ class RunningPart {
     Block& block = blocks_[b];
     const auto given = element_.begin(block.state, material_, gather<T, n>(nodes.motion().position, block.nodes));
     const T mass = mass_of(given);
-    if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * mass);
+    T own = mass;
+    if constexpr (scales_mass) own = mass / block.state.mass_factor;
+    if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * own);
     for (std::size_t l = 0; l < count(b); ++l) {
       check_resolution(nodes, b * width + l);
       if (!(lane(mass, l) > 0))
@@ -335,7 +346,12 @@ class RunningPart {
         nodes.add_mass(i, static_cast<double>(lane(mass, l)));
         if constexpr (turns_nodes<E>()) nodes.add_inertia(i, static_cast<double>(lane(given.inertia, l)));
       }
-      mass_ += static_cast<double>(n) * static_cast<double>(lane(mass, l));
+      mass_ += static_cast<double>(n) * static_cast<double>(lane(own, l));
+      if constexpr (scales_mass) {
+        scaling_.added += static_cast<double>(n) * static_cast<double>(lane(mass, l) - lane(own, l));
+        if (const auto factor = static_cast<double>(lane(block.state.mass_factor, l)); factor > scaling_.largest)
+          scaling_.largest = factor, scaling_.element = order_[b * width + l];
+      }
     }
   }
 
@@ -422,7 +438,8 @@ class RunningPart {
 
     for (std::size_t l = 0; l < width; ++l) {
       const auto element_of = [&](const T& block) {
-        return std::min((patch.first_block + static_cast<std::size_t>(lane(block, l))) * width + l, size_ - 1);
+        return std::min((patch.first_block + static_cast<std::size_t>(static_cast<double>(lane(block, l)))) * width + l,
+                        size_ - 1);
       };
       if (const double rate_l = static_cast<double>(lane(rate, l)); outcome.critical_rate < rate_l)
         outcome.critical_rate = rate_l, outcome.slowest = element_of(slowest);
@@ -492,7 +509,7 @@ class RunningPart {
   }
   std::string describe_at(const Nodes& nodes, std::size_t p) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Index i : cell(nodes, p)) sum += nodes.x(i);
+    for (const Index i : cell(nodes, p)) sum += nodes.x(i).template cast<double>();
     return detail::joined({"element ", std::to_string(order_[p]), " of part ", std::to_string(number_), " at ",
                            detail::text((1.0 / static_cast<double>(n)) * sum)});
   }
@@ -529,10 +546,11 @@ class RunningPart {
     const std::array<Index, n> c = cell(nodes, p);
     double spacing = 0, gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
-      const Eigen::Vector3d x = nodes.x(c[i]);
+      const Eigen::Vector3d x = nodes.x(c[i]).template cast<double>();
       spacing = std::max(spacing, nodes.resolution(c[i]));
       for (std::size_t j = 0; j < i; ++j)
-        if (const double d = Eigen::Vector3d(x - nodes.x(c[j])).norm(); d > 0) gap = std::min(gap, d);
+        if (const double d = Eigen::Vector3d(x - nodes.x(c[j]).template cast<double>()).norm(); d > 0)
+          gap = std::min(gap, d);
     }
     if (spacing > 1e-3 * gap)
       throw Error(
@@ -556,9 +574,15 @@ class RunningPart {
   std::vector<Block> blocks_;
   detail::Patches patches_;
   std::vector<Outcome> outcomes_;
+  struct Scaling {
+    double added = 0, largest = 1;
+    std::size_t element = 0;
+  };
+  struct NoScaling {};
+  [[no_unique_address]] std::conditional_t<scales_mass, Scaling, NoScaling> scaling_;
   struct NoVolume {};
   struct NoCount {};
-  using Volume = detail::NodalVolume<RealOf<T>, loses_elements>;
+  using Volume = detail::NodalVolume<LaneOf<T>, loses_elements>;
   [[no_unique_address]] std::conditional_t<averages_volume, Volume, NoVolume> volume_;
   [[no_unique_address]] Tally newly_deleted_{};
   [[no_unique_address]] std::conditional_t<erodes, std::size_t, NoCount> deleted_{};

@@ -47,7 +47,7 @@ struct Hex8 {
 
   template <class M, class T>
   T begin(State<M, T>& state, const M& material, const Nodal<T, 8>& x) const {
-    if constexpr (requires { material.begin(state.material); }) material.begin(state.material);
+    begin_point(material, state.material, x);
     const T V = Hex8Gradient<T>(to_modes<T>(x)).volume;
     state.inverse_volume = 1.0 / V;
     return (0.125 * material.density()) * V;

@@ -42,8 +42,7 @@ struct Hex8Full {
 
   template <class M, class T>
   T begin(State<M, T>& state, const M& material, const Nodal<T, 8>& x) const {
-    if constexpr (requires { material.begin(state.material[0]); })
-      for (auto& point : state.material) material.begin(point);
+    for (auto& point : state.material) begin_point(material, point, x);
     const T V = Hex8Gradient<T>(to_modes<T>(x)).volume;
     state.inverse_volume = 1.0 / V;
     return (0.125 * material.density()) * V;

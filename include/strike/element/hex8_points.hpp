@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <limits>
 
 #include <strike/element/hex8_modes.hpp>
 
@@ -96,9 +97,11 @@ class Hex8Laplacian {
 
   /// The largest eigenvalue, from above: that of the matrix of the norms of the blocks a, b and d.
   T largest_eigenvalue() const {
-    return strike::largest_eigenvalue(SymmetricTensor<T>{strike::largest_eigenvalue(aa_),
-                                                         strike::largest_eigenvalue(bb_), dd_, sqrt(ab_.squaredNorm()),
-                                                         sqrt(bd_.squaredNorm()), sqrt(ad_.squaredNorm())});
+    const auto norm = [](const auto& A) -> T {  // 0 of a brick, where a root has no slope
+      return sqrt(max(T(std::numeric_limits<RealOf<T>>::min()), A.squaredNorm()));
+    };
+    return strike::largest_eigenvalue(SymmetricTensor<T>{
+        strike::largest_eigenvalue(aa_), strike::largest_eigenvalue(bb_), dd_, norm(ab_), norm(bd_), norm(ad_)});
   }
 
  private:

@@ -30,6 +30,18 @@ PointResponse<T> advance_point(const M& material, State& state, const SolidKinem
   return advance_point(material, state, rate, dt, V, dV, rate.rate_of_deformation);
 }
 
+/// Sets a point of an element at rest; its place [length], the middle of these nodes, for a material that asks for it.
+template <class M, class State, class T, int n>
+void begin_point(const M& material, State& state, const Nodal<T, n>& x) {
+  if constexpr (requires { material.begin(state, Vector3<T>()); }) {
+    Vector3<T> place = column(x, 0);
+    for (std::size_t i = 1; i < n; ++i) place = place + column(x, i);
+    material.begin(state, Vector3<T>((1.0 / n) * place));
+  } else if constexpr (requires { material.begin(state); }) {
+    material.begin(state);
+  }
+}
+
 /// 1, or 0 where the material has failed.
 template <class T, class M, class State>
 T intact_share(const M& material, const State& state) {

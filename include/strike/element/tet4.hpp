@@ -101,7 +101,7 @@ struct Tet4 {
 
   template <class M, class T>
   T begin(State<M, T>& state, const M& material, const Nodal<T, 4>& x) const {
-    if constexpr (requires { material.begin(state.material); }) material.begin(state.material);
+    begin_point(material, state.material, x);
     const T V = volume(x);
     state.inverse_volume = 1.0 / V;
     return (0.25 * material.density()) * V;

@@ -16,7 +16,7 @@ class BodyForce {
   template <class N>
   void push(N& nodes, double time) {
     now_ = history_(time) * acceleration_;
-    const auto g = N::kept(now_);
+    const auto g = N::kept(now_.cast<typename N::Number>());
     for (std::size_t k = 0; k < nodes.size(); ++k) nodes.force()[k] += nodes.mass()[k] * g;
   }
   template <class N>

@@ -16,8 +16,8 @@ class InitialVelocity {
   template <class N>
   void begin(N& nodes) const {
     if (everywhere_)
-      for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, velocity_);
-    for (const Index i : nodes_) nodes.set_velocity(i, velocity_);
+      for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, velocity_.cast<typename N::Number>());
+    for (const Index i : nodes_) nodes.check_number(i), nodes.set_velocity(i, velocity_.cast<typename N::Number>());
   }
 
   template <class Archive>

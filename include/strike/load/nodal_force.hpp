@@ -15,14 +15,18 @@ class NodalForce {
       : force_(std::move(force)), nodes_(std::move(nodes)), history_(std::move(history)) {}
 
   template <class N>
+  void begin(const N& nodes) const {
+    for (const Index i : nodes_) nodes.check_number(i);
+  }
+  template <class N>
   void push(N& nodes, double time) {
     now_ = history_(time) * force_;
-    for (const Index i : nodes_) nodes.add_force(i, now_);
+    for (const Index i : nodes_) nodes.add_force(i, now_.cast<typename N::Number>());
   }
   template <class N>
   double power(const N& nodes) const {
     double sum = 0;
-    for (const Index i : nodes_) sum += now_.dot(nodes.v(i));
+    for (const Index i : nodes_) sum += now_.dot(nodes.v(i).template cast<double>());
     return sum;
   }
 

@@ -27,12 +27,12 @@ class PrescribedMotion {
   template <class N, class Ledger>
   void impose(double velocity, N& nodes, const Step& step, Ledger& ledger) const {
     for (const Index i : nodes_) {
-      const Eigen::Vector3d v = nodes.v(i);
-      const double m = nodes.mass(i), free = v.dot(direction_);
-      const double before = free - step.kick() / m * nodes.f(i).dot(direction_);
+      const typename N::Vector v = nodes.v(i);
+      const double m = nodes.mass(i);
+      const typename N::Number free = v.dot(direction_), before = free - step.kick() / m * nodes.f(i).dot(direction_);
       nodes.set_velocity(i, v + (velocity - free) * direction_);
-      const double impulse = m * (velocity - free);
-      ledger.external.book_impulse(impulse * before, impulse * velocity);
+      const typename N::Number impulse = m * (velocity - free);
+      ledger.external.book_impulse(static_cast<double>(impulse * before), static_cast<double>(impulse * velocity));
     }
   }
 

@@ -17,23 +17,30 @@ class Pressure {
   Pressure(std::vector<Face> faces, History history) : faces_(std::move(faces)), history_(std::move(history)) {}
 
   template <class N>
+  void begin(const N& nodes) const {
+    for (const Face& face : faces_)
+      for (const Index i : face.nodes) nodes.check_number(i);
+  }
+  template <class N>
   void push(N& nodes, double time) {
     const double p = history_(time);
     forces_.resize(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const auto& corner = faces_[i].nodes;
       const auto x = [&](std::size_t k) { return nodes.x(corner[k]); };
-      const Eigen::Vector3d along = x(2) - x(0), across = x(3) - x(1);
+      const typename N::Vector along = x(2) - x(0), across = x(3) - x(1);
       const double share = corner[2] == corner[3] ? 1.0 / 3 : 0.25;
-      forces_[i] = -share * p * 0.5 * cross<double>(along, across);
-      for (std::size_t k = 0; k < corners(corner); ++k) nodes.add_force(corner[k], forces_[i]);
+      const typename N::Vector force = -share * p * 0.5 * cross<typename N::Number>(along, across);
+      for (std::size_t k = 0; k < corners(corner); ++k) nodes.add_force(corner[k], force);
+      forces_[i] = force.template cast<double>();
     }
   }
   template <class N>
   double power(const N& nodes) const {
     double sum = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k) sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]));
+      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k)
+        sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
     return sum;
   }
 

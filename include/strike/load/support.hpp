@@ -28,10 +28,11 @@ class Support {
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) const {
     double work = 0;  // not zero only where a node strikes what holds it
-    const auto without = [&](const Eigen::Vector3d& v, const Eigen::Vector3d& held, double m, const auto& f) {
-      const double along = v.dot(held), before = along - step.kick() / m * f.dot(held);
-      work += m * along * before;
-      return Eigen::Vector3d(v - along * held);
+    using Vector = typename N::Vector;
+    const auto without = [&](const Vector& v, const Eigen::Vector3d& held, double m, const Vector& f) {
+      const typename N::Number along = v.dot(held), before = along - step.kick() / m * f.dot(held);
+      work += static_cast<double>(m * along * before);
+      return Vector(v - along * held);
     };
     for (const auto& [i, held] : motions_) nodes.set_velocity(i, without(nodes.v(i), held, nodes.mass(i), nodes.f(i)));
     if constexpr (N::nodes_turn)

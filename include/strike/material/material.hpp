@@ -18,11 +18,13 @@ namespace strike {
 /// - a section its `thickness()` and `rotary_inertia()`, int rho z^2 dz [mass]; a point of it `normal_rate(state, rate,
 /// dt, change)`, d_zz of the step that changed its stress so;
 /// - if it remembers spatial tensors, `state.spatial_tensors()`, a tuple of references: the element turns them;
-/// - if its state does not begin at zero, `begin(state)`; if it is viscous, `viscosity()`; if it can fail,
+/// - if its state does not begin at zero, `begin(state)`, and of solids that begin differently from place to place
+/// `begin(state, place)` beside it; if it is viscous, `viscosity()`; if it can fail,
 /// `intact(state)`: 1, or 0 once failed; if it knows its energy,
 ///   `state.internal_energy` per reference volume, to which the element adds what shock viscosity dissipates.
-/// Laws (see tests/conformance): at rest the stress does not grow; lane i of a pack gives what a double gives; a closed
-/// cycle of strain gives no energy back; rho c^2 + 2 viscosity/dt bounds the tangent.
+/// Laws (see tests/conformance): at rest the stress does not grow (but where a viscoelastic one recovers); lane i of a
+/// pack gives what a double gives; a closed cycle of strain gives no energy back; rho c^2 + 2 viscosity/dt bounds the
+/// tangent.
 template <class M>
 concept Material = requires(const M m, typename M::template State<double> state,
                             typename M::Kinematics::template Rate<double> rate, double dt) {

@@ -14,6 +14,11 @@ namespace strike {
 
 namespace detail {
 
+template <class Failure>
+inline constexpr bool leaves_fluid = requires(typename Failure::template State<double> state) {
+  state.solid;
+};
+
 /// The solids whose elasticity is linear and isotropic, as a Solid.
 template <class S>
 struct LinearSolid {
@@ -29,7 +34,9 @@ struct LinearSolid<Elastic> {
   }
 };
 template <class Law, class Failure>
-requires(FlowLaw<Law> || std::same_as<Law, ElasticStrength>) struct LinearSolid<Solid<LinearEos, Law, Failure>> {
+requires(
+    (FlowLaw<Law> ||
+     std::same_as<Law, ElasticStrength>)&&!leaves_fluid<Failure>) struct LinearSolid<Solid<LinearEos, Law, Failure>> {
   static constexpr bool is = true;
   using Parts = Solid<LinearEos, Law, Failure>;
   static const Parts& parts(const Parts& solid) { return solid; }
@@ -50,7 +57,7 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
   using D = Dual<T, 1>;
   using Real = RealOf<T>;
   constexpr double epsilon = std::numeric_limits<Real>::epsilon();
-  constexpr double least = sizeof(Real) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
+  constexpr double least = least_square<T>;
   const double G3 = 3.0 * law.shear_modulus;
   if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); }) {
     // f = 1 - p [kappa + (1 - kappa) t(Q(p))] = 0 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa, by Householder's steps
@@ -199,14 +206,21 @@ struct PlaneStress {
   T intact(const State<T>& state) const { return state.intact; }
 
  private:
+  template <class T>
+  static constexpr bool can_fail = requires(State<T> state) {
+    state.intact;
+  };
+
   template <class T, std::size_t n>
   void advance(std::span<State<T>, n> points, std::span<const PlaneStressKinematics::Rate<T>, n> rates,
                double dt) const {
     const Parts& parts = detail::LinearSolid<S>::parts(solid);
     const double G = parts.strength.shear_modulus, kappa = mean_factor(parts);
     [[maybe_unused]] std::array<detail::PlaneReturn<T>, n> returns;
+    [[maybe_unused]] std::array<T, n> strains_old;
     for (std::size_t k = 0; k < n; ++k) {
       PlaneTensor<T>& stress = points[k].stress;
+      if constexpr (can_fail<T>) strains_old[k] = detail::plastic_strain<T>(points[k]);
       const PlaneTensor<T> d = T(dt) * felt(points[k], rates[k].rate_of_deformation);
       const T s = trace(stress) + (6.0 * G * kappa) * trace(d), r = stress.xx - stress.yy + (2.0 * G) * (d.xx - d.yy);
       stress = {0.5 * (s + r), 0.5 * (s - r), stress.xy + (2.0 * G) * d.xy};
@@ -224,12 +238,14 @@ struct PlaneStress {
           state.temperature_rise += parts.strength.heating * equivalent_stress(state.stress) * left.plastic_increment;
       }
     }
-    for (State<T>& state : points) {
-      if constexpr (requires { state.intact; }) {
-        state.intact = select(parts.failure.fails(equivalent_stress(state.stress), state), T(0.0), state.intact);
+    if constexpr (can_fail<T>)
+      for (std::size_t k = 0; k < n; ++k) {
+        State<T>& state = points[k];
+        const auto fails =
+            detail::fails_now<Failure, T>(parts.failure, state, equivalent_stress(state.stress), strains_old[k], dt);
+        state.intact = select(fails, T(0.0), state.intact);
         state.stress = select(state.intact > 0.0, state.stress, PlaneTensor<T>{});
       }
-    }
   }
 
   /// kappa.

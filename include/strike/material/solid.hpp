@@ -36,7 +36,13 @@ struct Solid {
   struct State : EosState<Eos, T>, StrengthState<S, T>, Failure::template State<T> {
     SymmetricTensor<T> stress{};  ///< Cauchy
 
-    auto spatial_tensors() { return std::tie(stress); }
+    auto spatial_tensors() {
+      using Memory = StrengthState<S, T>;
+      if constexpr (requires(Memory memory) { memory.spatial_tensors(); })
+        return std::tuple_cat(std::tie(stress), Memory::spatial_tensors());
+      else
+        return std::tie(stress);
+    }
   };
 
   double density() const { return eos.density; }
@@ -59,18 +65,20 @@ struct Solid {
     const T p_old = (-1.0 / 3.0) * trace(state.stress);
     const T dv = volume_increment<T>(J, dt * trace(D));
 
-    SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt);
+    [[maybe_unused]] const T strain_old = detail::plastic_strain<T>(state);
+    const SymmetricTensor<T> s = advance_deviator(strength, state, s_old, d, dt, J);
     const T deviatoric_work = (J - 0.5 * dv) * (0.5 * double_dot(s_old + s, d));
-    T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
-    if constexpr (requires { state.solid; }) {
-      state.solid = select(failure.fails(equivalent_stress(s), state), T(0.0), state.solid);
-      s = state.solid * s;
-      p = select(state.solid > 0.0, p, max(p, T(0.0)));
-    }
+    const T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
     state.stress = s - SymmetricTensor<T>::isotropic(p);
-    if constexpr (requires { state.intact; }) {
-      state.intact = select(failure.fails(equivalent_stress(s), state), T(0.0), state.intact);
-      state.stress = select(state.intact > 0.0, state.stress, SymmetricTensor<T>{});
+    if constexpr (requires { failure.fails(p, state); }) {
+      const auto fails = detail::fails_now<Failure, T>(failure, state, equivalent_stress(s), strain_old, dt);
+      if constexpr (requires { state.intact; }) {
+        state.intact = select(fails, T(0.0), state.intact);
+        state.stress = select(state.intact > 0.0, state.stress, SymmetricTensor<T>{});
+      } else {
+        state.solid = select(fails, T(0.0), state.solid);
+        state.stress = select(state.solid > 0.0, state.stress, SymmetricTensor<T>::isotropic(-max(p, T(0.0))));
+      }
     }
     return state.stress;
   }
@@ -83,8 +91,8 @@ struct Solid {
   template <class T>
   Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
     const T pressure = (-1.0 / 3.0) * trace(state.stress);
-    return {strike::bulk_modulus<Eos, State<T>, T>(eos, state, felt(state, rate).relative_volume, pressure),
-            T(strength.shear_modulus)};
+    const T J = felt(state, rate).relative_volume;
+    return {strike::bulk_modulus<Eos, State<T>, T>(eos, state, J, pressure), shear_modulus(state, J)};
   }
 
   template <class T>
@@ -92,6 +100,14 @@ struct Solid {
   T intact(const State<T>& state) const { return state.intact; }
 
  private:
+  template <class T>
+  T shear_modulus(const State<T>& state, const T& J) const {
+    if constexpr (requires { strength.stiffness(state, J); })
+      return strength.stiffness(state, J);
+    else
+      return (void)state, (void)J, T(strength.shear_modulus);
+  }
+
   /// What has failed feels no motion, however wild.
   template <class T>
   static decltype(auto) felt(const State<T>& state, const SolidKinematics::Rate<T>& rate) {

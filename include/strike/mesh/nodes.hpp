@@ -14,6 +14,7 @@
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/scalar/dual.hpp>
 #include <strike/scalar/pack.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
@@ -44,7 +45,8 @@ class HeldDirections {
     return direction;
   }
   /// The part of a vector along which node i is free to move.
-  Eigen::Vector3d free(std::size_t i, Eigen::Vector3d a) const {
+  template <class Vector>
+  Vector free(std::size_t i, Vector a) const {
     const auto [first, last] = held_.equal_range(i);
     for (auto h = first; h != last; ++h) a -= h->second.direction.dot(a) * h->second.direction;
     return a;
@@ -61,9 +63,22 @@ class HeldDirections {
 
 }  // namespace detail
 
+namespace detail {
+template <class Real>
+struct NodalNumber {
+  using Padded = Pack<Real, 4>;
+  using Told = double;
+};
+template <class Real, std::size_t N>
+struct NodalNumber<Dual<Real, N>> {
+  using Padded = Dual<Pack<Real, 4>, N>;
+  using Told = Dual<Real, N>;
+};
+}  // namespace detail
+
 /// A vector at a node, padded so that it moves as one register; the fourth number is nobody's.
 template <class Real>
-using Padded = Pack<Real, 4>;
+using Padded = typename detail::NodalNumber<Real>::Padded;
 
 /// A vector for each place.
 template <class Real>
@@ -101,12 +116,18 @@ struct Motion<Real, true> : Motion<Real> {
 
 /// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass; where
 /// elements turn them (`turn`) their angular velocity w and moment too, and one moment of inertia for all directions.
-/// They are kept in Real and told and given in double. Node i lies in memory at place(i), chosen for locality. Elements
-/// work on `motion()` of ElementReal: the nodes' own, or if that is of another precision a copy.
+/// They are kept in Real and told and given in double, or if Real has derivatives in that. Node i lies in memory at
+/// place(i), chosen for locality. Elements work on `motion()` of ElementReal: the nodes' own, or if that is of another
+/// precision a copy.
 template <class Real, class ElementReal = Real, bool turn = false>
 class Nodes {
+  using Plain = RealOf<Real>;
+
  public:
   static constexpr bool elements_have_copy = !std::is_same_v<Real, ElementReal>, nodes_turn = turn;
+  /// In what vectors are told and given.
+  using Number = typename detail::NodalNumber<Real>::Told;
+  using Vector = Vector3<Number>;
 
   /// `order` names every node once, in the order of their places.
   Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order)
@@ -120,41 +141,50 @@ class Nodes {
   std::size_t size() const { return mass_.size(); }
 
   // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
-  const Eigen::Vector3d x(std::size_t i) const { return told(own_.position[place_[i]]); }
-  const Eigen::Vector3d v(std::size_t i) const { return told(own_.velocity[place_[i]]); }
-  const Eigen::Vector3d f(std::size_t i) const { return told(own_.force[place_[i]]); }
+  const Vector x(std::size_t i) const { return told(own_.position[place_[i]]); }
+  const Vector v(std::size_t i) const { return told(own_.velocity[place_[i]]); }
+  const Vector f(std::size_t i) const { return told(own_.force[place_[i]]); }
   double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
-  const Eigen::Vector3d w(std::size_t i) const { return told(own_.angular_velocity[place_[i]]); }
-  const Eigen::Vector3d moment(std::size_t i) const { return told(own_.moment[place_[i]]); }
+  const Vector w(std::size_t i) const { return told(own_.angular_velocity[place_[i]]); }
+  const Vector moment(std::size_t i) const { return told(own_.moment[place_[i]]); }
   double inertia(std::size_t i) const { return static_cast<double>(inertia_[place_[i]]); }
 
-  void set_position(std::size_t i, const Eigen::Vector3d& x) { own_.position[place_[i]] = kept(x); }
-  void set_velocity(std::size_t i, const Eigen::Vector3d& v) { own_.velocity[place_[i]] = kept(v); }
-  void add_force(std::size_t i, const Eigen::Vector3d& change) { own_.force[place_[i]] = kept(f(i) + change); }
-  void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Real>(m); }
-  void set_angular_velocity(std::size_t i, const Eigen::Vector3d& w) { own_.angular_velocity[place_[i]] = kept(w); }
-  void add_moment(std::size_t i, const Eigen::Vector3d& change) { own_.moment[place_[i]] = kept(moment(i) + change); }
-  void add_inertia(std::size_t i, double I) { inertia_[place_[i]] += static_cast<Real>(I); }
+  void set_position(std::size_t i, const Vector& x) { own_.position[place_[i]] = kept(x); }
+  void set_velocity(std::size_t i, const Vector& v) { own_.velocity[place_[i]] = kept(v); }
+  void add_force(std::size_t i, const Vector& change) { own_.force[place_[i]] = kept(f(i) + change); }
+  void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Plain>(m); }
+  void set_angular_velocity(std::size_t i, const Vector& w) { own_.angular_velocity[place_[i]] = kept(w); }
+  void add_moment(std::size_t i, const Vector& change) { own_.moment[place_[i]] = kept(moment(i) + change); }
+  void add_inertia(std::size_t i, double I) { inertia_[place_[i]] += static_cast<Plain>(I); }
 
+  /// Error: there is no node of this number.
+  void check_number(std::size_t i) const {
+    if (i >= size())
+      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
+                                  std::to_string(size()), " nodes; count them from 0."}));
+  }
   /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
   /// right angles to all directions taken before, or zero. Which motions are left does not depend on the order.
   /// Errors: no such node; one of two directions that are not at right angles is prescribed.
   Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& direction, Held how = Held::still) {
     check_number(i);
-    return held_.hold(i, x(i), direction, how);
+    return held_.hold(i, x(i).template cast<double>(), direction, how);
   }
   /// The same for an axis about which the node could turn.
   Eigen::Vector3d hold_turn(std::size_t i, const Eigen::Vector3d& axis, Held how = Held::still) {
     check_number(i);
-    return held_turns_.hold(i, x(i), axis, how);
+    return held_turns_.hold(i, x(i).template cast<double>(), axis, how);
   }
   /// The part of a vector along which node i is free to move.
   Eigen::Vector3d free(std::size_t i, const Eigen::Vector3d& a) const { return held_.free(i, a); }
+  Vector free(std::size_t i, const Vector& a) const requires(!std::is_same_v<Number, double>) {
+    return held_.free(i, a);
+  }
 
   /// The spacing of the numbers where node i is [length].
   double resolution(std::size_t i) const {
-    const Eigen::Vector3d at = x(i);
-    return static_cast<double>(std::numeric_limits<Real>::epsilon()) *
+    const Eigen::Vector3d at = x(i).template cast<double>();
+    return static_cast<double>(std::numeric_limits<Plain>::epsilon()) *
            std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }
 
@@ -171,12 +201,12 @@ class Nodes {
   Index number(std::size_t place) const { return number_[place]; }
 
   // The fields, place by place, and how they keep a vector.
-  static Eigen::Vector3d told(const Padded<Real>& a) {
-    return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
+  static Vector told(const Padded<Real>& a) {
+    return {static_cast<Number>(lane(a, 0)), static_cast<Number>(lane(a, 1)), static_cast<Number>(lane(a, 2))};
   }
-  static Padded<Real> kept(const Eigen::Vector3d& a) {
+  static Padded<Real> kept(const Vector& a) {
     Padded<Real> b = 0;
-    b.set(0, static_cast<Real>(a.x())), b.set(1, static_cast<Real>(a.y())), b.set(2, static_cast<Real>(a.z()));
+    for (int c = 0; c < 3; ++c) set_lane(b, static_cast<std::size_t>(c), static_cast<Real>(a(c)));
     return b;
   }
   NodalField<Real>& position() { return own_.position; }
@@ -196,8 +226,8 @@ class Nodes {
   NodalField<Real>& moment() { return own_.moment; }
   const NodalField<Real>& angular_velocity() const { return own_.angular_velocity; }
   const NodalField<Real>& moment() const { return own_.moment; }
-  const std::vector<Real>& mass() const { return mass_; }
-  const std::vector<Real>& inertia() const { return inertia_; }
+  const std::vector<Plain>& mass() const { return mass_; }
+  const std::vector<Plain>& inertia() const { return inertia_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -209,15 +239,9 @@ class Nodes {
  private:
   struct None {};
 
-  void check_number(std::size_t i) const {
-    if (i >= size())
-      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
-                                  std::to_string(size()), " nodes; count them from 0."}));
-  }
-
   Motion<Real, turn> own_;
   [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal, turn>, None> copy_;
-  std::vector<Real> mass_, inertia_;
+  std::vector<Plain> mass_, inertia_;
   std::vector<Index> number_, place_;
   detail::HeldDirections held_, held_turns_;
 };

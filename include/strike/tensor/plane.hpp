@@ -58,5 +58,10 @@ template <class T>
 T largest_eigenvalue(const PlaneTensor<T>& a) {
   return largest_eigenvalue<T>(a.xx, a.yy, a.xy * a.xy);
 }
+/// The larger of the two in the plane.
+template <class T>
+T largest_principal(const PlaneTensor<T>& a) {
+  return largest_eigenvalue(a);
+}
 
 }  // namespace strike

@@ -23,6 +23,10 @@ Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
 
 namespace detail {
 
+/// The least square of which the root has a derivative that is a number too.
+template <class T>
+inline constexpr double least_square = sizeof(RealOf<T>) == 4 ? 5e-26 : 8e-206;
+
 /// The matrix of the components f(0), f(1), ... column by column; unrolled at every level of optimisation.
 template <class T, int n, class F>
 Eigen::Matrix<T, 3, n> by_component(F f) {
@@ -212,6 +216,19 @@ T largest_eigenvalue(const SymmetricTensor<T>& A) {
   const T t = sqrt(max(T(0.0), min(T(2.0), 1.0 + 0.5 * determinant(per_p * s))));
   const T c = 0.5001399 + t * (0.4064404 + t * (-0.0480203 + t * 0.00751198));
   return q + 2.0 * (p2 * per_p) * c;
+}
+
+/// Largest eigenvalue of any tensor: sharp where `largest_eigenvalue` is a quick bound. Of 4c^3 - 3c = r Newton's steps
+/// solve the form (2c - 1) sqrt(1 + c) = t, t = sqrt(1 + r), which has no double root where the two larger eigenvalues
+/// meet; there t, and with it the result, is known to the square root of rounding of the deviator.
+template <class T>
+T largest_principal(const SymmetricTensor<T>& A) {
+  const SymmetricTensor<T> s = deviator(A);
+  const T p2 = max(T(detail::least_square<T>), (1.0 / 6.0) * double_dot(s, s)), per_p = rsqrt(p2);
+  const T t = sqrt(max(T(0.0), min(T(2.0), 1.0 + 0.5 * determinant(per_p * s))));
+  T c = 0.5 + t * (0.4064404 + t * (-0.0480203 + t * 0.00751198));
+  for (int i = 0; i < 2; ++i) c -= (2.0 / 3.0) * ((2.0 * c - 1.0) * (1.0 + c) - t * sqrt(1.0 + c)) / (2.0 * c + 1.0);
+  return (1.0 / 3.0) * trace(A) + 2.0 * (p2 * per_p) * c;
 }
 
 }  // namespace strike

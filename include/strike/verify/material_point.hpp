@@ -12,6 +12,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <strike/dynamics/method.hpp>
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
 #include <strike/material/material.hpp>
@@ -22,19 +23,19 @@
 namespace strike {
 
 /// A material point at one time.
-template <class M>
+template <class M, class T = double>
 struct Record {
   double time = 0;
-  Matrix3<double> deformation_gradient = Matrix3<double>::Identity();  ///< F
-  SymmetricTensor<double> rate_of_deformation{};                       ///< D in the middle of the step that led here
-  SymmetricTensor<double> stress{};                                    ///< Cauchy
-  double work = 0;                                                     ///< of the stress, per reference volume
-  typename M::template State<double> state{};                          ///< what the material remembers
+  Matrix3<T> deformation_gradient = Matrix3<T>::Identity();  ///< F
+  SymmetricTensor<T> rate_of_deformation{};                  ///< D in the middle of the step that led here
+  SymmetricTensor<T> stress{};                               ///< Cauchy
+  T work{};                                                  ///< of the stress, per reference volume
+  typename M::template State<T> state{};                     ///< what the material remembers
 
-  double relative_volume() const { return deformation_gradient.determinant(); }
+  T relative_volume() const { return deformation_gradient.determinant(); }
   /// Logarithmic strain of Hencky, ln V with F = V R.
   SymmetricTensor<double> strain() const {
-    const Matrix3<double>& F = deformation_gradient;
+    const Matrix3<double> F = deformation_gradient.template cast<double>();
     const Eigen::SelfAdjointEigenSolver<Matrix3<double>> V2(F * F.transpose());
     const Vector3<double> half_log = 0.5 * V2.eigenvalues().array().log();
     return symmetric_part<double>(V2.eigenvectors() * half_log.asDiagonal() * V2.eigenvectors().transpose());
@@ -46,20 +47,24 @@ struct Record {
 ///   MaterialPoint point{copper};
 ///   const auto history = point.run(cyclic(uniaxial_stress({.strain = 0.02, .rate = 1e3}), 3));
 ///   write("curve.csv", history);
+/// In dual numbers (`MaterialPoint{copper, in<Dual<double, 2>>}`) the history has derivatives.
 /// A material in plane stress stands in its plate's frame and feels no spin; what happens across follows from it.
 /// Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point then
 /// is what it was before the step.
-template <class M, Rotation R = HughesWinget>
+template <class M, Rotation R = HughesWinget, class T = double>
 requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
  public:
-  explicit MaterialPoint(M material, R rotation = {}) : material_(std::move(material)), rotation_(std::move(rotation)) {
+  explicit MaterialPoint(M material, R rotation = {}, In<T> = {})
+      : material_(std::move(material)), rotation_(std::move(rotation)) {
     if constexpr (requires { material_.begin(now_.state); }) material_.begin(now_.state);
     now_.stress = in_space(material_.stress(std::as_const(now_.state)));
   }
 
+  MaterialPoint(M material, In<T> number) : MaterialPoint(std::move(material), R{}, number) {}
+
   const M& material() const { return material_; }
-  const Record<M>& now() const { return now_; }
-  typename M::Kinematics::template Moduli<double> moduli() const {
+  const Record<M, T>& now() const { return now_; }
+  typename M::Kinematics::template Moduli<T> moduli() const {
     if constexpr (is_plane)
       return material_.moduli(now_.state, {in_plane(now_.rate_of_deformation)});
     else
@@ -68,20 +73,22 @@ requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
 
   /// One step with the velocity gradient L in its middle. A component with a prescribed stress reaches that; L has the
   /// first guess of its rate.
-  const Record<M>& step(const Matrix3<double>& L, double dt, const PrescribedStress& stress = {}) {
-    return advance(symmetric_part(L), spin(L), dt, stress);
+  const Record<M, T>& step(const Matrix3<T>& L, double dt, const PrescribedStress& stress = {}) {
+    Target target;
+    for (std::size_t c = 0; c < 6; ++c) target[c] = stress.*prescribed[c];
+    return advance(symmetric_part(L), spin(L), dt, target);
   }
 
   /// One step to the deformation gradient F: L dt = 2 (F - F_old) (F + F_old)^-1.
-  const Record<M>& deform(const Matrix3<double>& F, double dt) {
-    const Matrix3<double>& F_old = now_.deformation_gradient;
+  const Record<M, T>& deform(const Matrix3<T>& F, double dt) {
+    const Matrix3<T>& F_old = now_.deformation_gradient;
     return step((2 / dt) * (F - F_old) * (F + F_old).inverse(), dt);
   }
 
   /// Follows the path from now on and gives the record of every step, the present one first.
-  std::vector<Record<M>> run(const Path& path) {
-    std::vector<Record<M>> history{now_};
-    run(path, [&](const Record<M>& record) { history.push_back(record); });
+  std::vector<Record<M, T>> run(const Path& path) {
+    std::vector<Record<M, T>> history{now_};
+    run(path, [&](const Record<M, T>& record) { history.push_back(record); });
     return history;
   }
 
@@ -92,16 +99,17 @@ requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
       if (!(segment.duration > 0) || segment.steps == 0)
         throw Error(detail::joined({"A segment of a path has the duration ", detail::text(segment.duration), " and ",
                                     std::to_string(segment.steps), " steps: give more than 0 of both."}));
-      const SymmetricTensor<double> initial_stress = now_.stress;
+      const Tensor initial_stress = now_.stress;
       const double dt = segment.duration / static_cast<double>(segment.steps);
-      SymmetricTensor<double> D = symmetric_part(segment.velocity_gradient);
+      const Matrix3<T> L = segment.velocity_gradient.template cast<T>();
+      Tensor D = symmetric_part(L);
       for (std::size_t i = 1; i <= segment.steps; ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(segment.steps);
-        PrescribedStress target = segment.stress;
+        Target target;
         for (std::size_t c = 0; c < 6; ++c)
-          target.*prescribed[c] =
-              initial_stress.*component[c] + part * (target.*prescribed[c] - initial_stress.*component[c]);
-        advance(D, spin(segment.velocity_gradient), dt, target);
+          target[c] =
+              initial_stress.*component[c] + part * (segment.stress.*prescribed[c] - initial_stress.*component[c]);
+        advance(D, spin(L), dt, target);
         D = now_.rate_of_deformation;
         observe(now_);
       }
@@ -109,7 +117,8 @@ requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
   }
 
  private:
-  using Tensor = SymmetricTensor<double>;
+  using Tensor = SymmetricTensor<T>;
+  using Target = std::array<T, 6>;  ///< stresses that are prescribed, or NaN
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -119,113 +128,141 @@ requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
   static constexpr std::array name{"xx", "yy", "zz", "xy", "yz", "zx"};
   static constexpr bool is_plane = PlaneMaterial<M>;
   static Tensor in_space(const Tensor& a) { return a; }
-  static Tensor in_space(const PlaneTensor<double>& a) { return {.xx = a.xx, .yy = a.yy, .xy = a.xy}; }
-  static PlaneTensor<double> in_plane(const Tensor& a) { return {a.xx, a.yy, a.xy}; }
-  static Vector3<double> spin(const Matrix3<double>& L) {
-    return is_plane ? Vector3<double>(Vector3<double>::Zero()) : axial_vector(L);
-  }
-  static bool is_given(double stress) { return !std::isnan(stress); }
+  static Tensor in_space(const PlaneTensor<T>& a) { return {.xx = a.xx, .yy = a.yy, .xy = a.xy}; }
+  static PlaneTensor<T> in_plane(const Tensor& a) { return {a.xx, a.yy, a.xy}; }
+  static Vector3<T> spin(const Matrix3<T>& L) { return is_plane ? Vector3<T>(Vector3<T>::Zero()) : axial_vector(L); }
+  static bool is_given(const T& stress) { return stress == stress; }
 
   /// Where a step with this rate of deformation and the axial vector w of the spin leads.
-  Record<M> answer(const Tensor& rate_of_deformation, const Vector3<double>& w, double dt) const {
-    Record<M> next = now_;
+  Record<M, T> answer(const Tensor& rate_of_deformation, const Vector3<T>& w, double dt) const {
+    Record<M, T> next = now_;
     next.time += dt;
     Tensor D = rate_of_deformation;
     if constexpr (is_plane) {
-      const PlaneStressKinematics::Rate<double> rate{in_plane(D)};
+      const PlaneStressKinematics::Rate<T> rate{in_plane(D)};
       next.stress = in_space(material_.stress(next.state, rate, dt));
       D = in_space(rate.rate_of_deformation);
       D.zz = material_.normal_rate(next.state, rate, dt, in_plane(next.stress - now_.stress));
     }
     next.rate_of_deformation = D;
-    Matrix3<double> W;
-    W << 0, -w(2), w(1), w(2), 0, -w(0), -w(1), w(0), 0;
-    const Matrix3<double> h = 0.5 * dt * (D.matrix() + W), I = Matrix3<double>::Identity();
+    Matrix3<T> W;
+    W << T(0.0), -w(2), w(1), w(2), T(0.0), -w(0), -w(1), w(0), T(0.0);
+    const Matrix3<T> h = 0.5 * dt * (D.matrix() + W), I = Matrix3<T>::Identity();
     next.deformation_gradient = (I - h).inverse() * (I + h) * now_.deformation_gradient;
-    const double J = next.relative_volume(), J_mid = J - 0.5 * volume_increment(J, dt * trace(D));
+    const T J = next.relative_volume(), J_mid = J - 0.5 * volume_increment<T>(J, dt * trace(D));
 
-    const auto turn = rotation_.turn(Vector3<double>(dt * w));
+    const auto turn = rotation_.turn(Vector3<T>(dt * w));
     turn_tensors(turn, next.state);
     const Tensor before = turn(now_.stress);
-    const Tensor D_end = rotation_.turn(Vector3<double>(0.5 * dt * w))(D);  // half the spin is still to come
+    const Tensor D_end = rotation_.turn(Vector3<T>(0.5 * dt * w))(D);  // half the spin is still to come
     if constexpr (!is_plane) next.stress = material_.stress(next.state, {D_end, J}, dt);
     next.work += J_mid * dt * 0.5 * double_dot(before + next.stress, D_end);
     return next;
   }
 
-  const Record<M>& advance(const Tensor& D, const Vector3<double>& w, double dt, const PrescribedStress& target) {
-    Record<M> next = answer(D, w, dt);
-    if (std::any_of(prescribed.begin(), prescribed.end(), [&](auto c) { return is_given(target.*c); }))
-      next = reach(target, std::move(next), w, dt);
+  const Record<M, T>& advance(const Tensor& D, const Vector3<T>& w, double dt, const Target& target) {
+    Record<M, T> next = answer(D, w, dt);
+    if (std::any_of(target.begin(), target.end(), is_given)) next = reach(target, std::move(next), w, dt);
     if (!(next.relative_volume() > 0))
       throw Error(detail::joined({"Material point at t = ", detail::text(next.time), ": the relative volume becomes ",
-                                  detail::text(next.relative_volume()), "; take smaller steps."}));
+                                  detail::text(static_cast<double>(next.relative_volume())), "; take smaller steps."}));
     return now_ = std::move(next);
   }
 
   /// Newton's method for the rates of the components with a prescribed stress, from the guess `next`. It counts strain
   /// increments, and stresses over the wave modulus. The tangent is a difference quotient, so that the law need not run
   /// on dual numbers; where it is singular, as in the shear of a fluid, some rates stay as they are.
-  Record<M> reach(const PrescribedStress& target, Record<M> next, const Vector3<double>& w, double dt) const {
+  Record<M, T> reach(const Target& target, Record<M, T> next, const Vector3<T>& w, double dt) const {
     constexpr double rounding = std::numeric_limits<double>::epsilon(), tolerance = 64 * rounding;
     const double difference = std::sqrt(rounding);  // balances the rounding of the volume and the curvature
 
-    double modulus = moduli().wave();
-    for (const auto c : prescribed)
-      if (is_given(target.*c)) modulus = std::max(modulus, std::abs(target.*c));
-    const auto residual = [&](const Record<M>& record) {
+    double modulus = static_cast<double>(moduli().wave());
+    for (const T& stress : target)
+      if (is_given(stress)) modulus = std::max(modulus, std::abs(static_cast<double>(stress)));
+    const auto error = [&](const Record<M, T>& record, std::size_t c) -> T {
+      if (!is_given(target[c])) return T(0.0);
+      return (record.stress.*component[c] - target[c]) / modulus;
+    };
+    const auto residual = [&](const Record<M, T>& record) {
       Vector6 r = Vector6::Zero();
       for (std::size_t c = 0; c < 6; ++c)
-        if (is_given(target.*prescribed[c]) && record.stress.*component[c] != target.*prescribed[c])
-          r[static_cast<int>(c)] = (record.stress.*component[c] - target.*prescribed[c]) / modulus;
+        if (is_given(target[c]) && record.stress.*component[c] != target[c])
+          r[static_cast<int>(c)] = static_cast<double>(error(record, c));
       return r;
     };
-    const auto changed = [&](const Record<M>& record, const Vector6& strain) {
+    const auto changed = [&](const Record<M, T>& record, const auto& strain) {
       Tensor D = record.rate_of_deformation;
       for (std::size_t c = 0; c < 6; ++c)
-        if (is_given(target.*prescribed[c])) D.*component[c] += strain[static_cast<int>(c)] / dt;
+        if (is_given(target[c])) D.*component[c] += strain[static_cast<int>(c)] / dt;
       return answer(D, w, dt);
+    };
+    const auto tangent = [&](const Record<M, T>& record, const Vector6& r) {
+      Matrix6 columns;
+      for (int c = 0; c < 6; ++c)
+        columns.col(c) = (residual(changed(record, Vector6(difference * Vector6::Unit(c)))) - r) / difference;
+      Eigen::FullPivLU<Matrix6> lu(columns);
+      lu.setThreshold(100 * difference);
+      return lu;
     };
 
     Vector6 r = residual(next);
     for (int i = 0; i < 50 && !(r.norm() <= tolerance); ++i) {
-      Matrix6 tangent;
-      for (int c = 0; c < 6; ++c)
-        tangent.col(c) = (residual(changed(next, difference * Vector6::Unit(c))) - r) / difference;
-      Eigen::FullPivLU<Matrix6> lu(tangent);
-      lu.setThreshold(100 * difference);
-      Vector6 strain = lu.solve(-r);
-      strain *= std::min(1.0, 0.5 / strain.lpNorm<Eigen::Infinity>());
+      Vector6 strain = tangent(next, r).solve(-r);
+      strain *= std::min(1.0, 0.5 / strain.template lpNorm<Eigen::Infinity>());
 
-      Record<M> trial = changed(next, strain);
+      Record<M, T> trial = changed(next, strain);
       for (int halving = 0; halving < 20 && !(residual(trial).norm() < r.norm()); ++halving)
         trial = changed(next, strain *= 0.5);
       next = std::move(trial);
       r = residual(next);
     }
     if (!(r.norm() <= tolerance)) refuse(target, next, r);
+
+    if constexpr (requires(T a) { a.derivative(0); }) {
+      // The derivatives are those of the implicit function; the second step takes out what the quotients are off by.
+      const Eigen::FullPivLU<Matrix6> lu = tangent(next, r);
+      for (int i = 0; i < 2; ++i) {
+        Eigen::Matrix<double, 6, static_cast<int>(T::variables())> slopes;
+        for (int c = 0; c < 6; ++c)
+          for (int k = 0; k < slopes.cols(); ++k)
+            slopes(c, k) = error(next, static_cast<std::size_t>(c)).derivative(static_cast<std::size_t>(k));
+        slopes = lu.solve(-slopes).eval();
+        Eigen::Matrix<T, 6, 1> strain;
+        for (int c = 0; c < 6; ++c) {
+          std::array<double, T::variables()> derivatives;
+          for (int k = 0; k < slopes.cols(); ++k) derivatives[static_cast<std::size_t>(k)] = slopes(c, k);
+          strain[c] = T(0.0, derivatives);
+        }
+        next = changed(next, strain);
+      }
+    }
     return next;
   }
 
-  [[noreturn]] void refuse(const PrescribedStress& target, const Record<M>& nearest, const Vector6& r) const {
+  [[noreturn]] void refuse(const Target& target, const Record<M, T>& nearest, const Vector6& r) const {
     int worst = 0;
     r.cwiseAbs().maxCoeff(&worst);
     const auto c = static_cast<std::size_t>(worst);
     throw Error(
         detail::joined({"Material point at t = ", detail::text(nearest.time), ": the prescribed stress ", name[c],
-                        " = ", detail::text(target.*prescribed[c]), " is beyond the material, which gives ",
-                        detail::text(nearest.stress.*component[c]), "; lower it or prescribe the strain instead."}));
+                        " = ", detail::text(static_cast<double>(target[c])), " is beyond the material, which gives ",
+                        detail::text(static_cast<double>(nearest.stress.*component[c])),
+                        "; lower it or prescribe the strain instead."}));
   }
 
   M material_;
   R rotation_;
-  Record<M> now_;
+  Record<M, T> now_;
 };
 
 template <class M>
 MaterialPoint(M) -> MaterialPoint<M>;
 template <class M, class R>
 MaterialPoint(M, R) -> MaterialPoint<M, R>;
+template <class M, class T>
+MaterialPoint(M, In<T>) -> MaterialPoint<M, HughesWinget, T>;
+template <class M, class R, class T>
+MaterialPoint(M, R, In<T>) -> MaterialPoint<M, R, T>;
 
 /// The value f(record) of every record: what a chart asks for.
 template <class M, class F>

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -33,14 +34,15 @@ struct ElementRecord {
 
 /// How the forces of an element answer to small motions of its coordinates, node after node: f = K x + C v, with the
 /// mass m at each node. Rotations count as lengths, the radius of gyration times the angle, so that they have it too.
-template <class E>
+template <class T = double>
 struct ElementVibration {
-  Eigen::MatrixXd stiffness, damping;
-  double mass = 0;
+  using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+  Matrix stiffness, damping;
+  T mass = 0;
 
   /// Angular frequencies without damping, ascending.
-  Eigen::VectorXd frequencies() const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, Eigen::EigenvaluesOnly);
+  Eigen::Matrix<T, Eigen::Dynamic, 1> frequencies() const {
+    const Eigen::SelfAdjointEigenSolver<Matrix> modes(stiffness, Eigen::EigenvaluesOnly);
     return (modes.eigenvalues() / mass).cwiseMax(0).cwiseSqrt();
   }
 
@@ -52,8 +54,8 @@ struct ElementVibration {
   double critical_step() const {
     double rate = 0;
     for (int i = 0; i < 30; ++i) {
-      const Eigen::MatrixXd both = 0.25 * stiffness + 0.5 * rate * damping;
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(both);
+      const Matrix both = 0.25 * stiffness + 0.5 * rate * damping;
+      const Eigen::SelfAdjointEigenSolver<Matrix> modes(both);
       const auto phi = modes.eigenvectors().col(stiffness.rows() - 1);
       const double k = phi.dot(stiffness * phi) / mass, c = phi.dot(damping * phi) / mass;
       const double before = std::exchange(rate, 0.25 * c + 0.5 * std::sqrt(0.25 * c * c + k));
@@ -65,9 +67,9 @@ struct ElementVibration {
   /// The largest |l| of the same scheme by its amplification matrix: above 1 the step dt is unstable.
   double spectral_radius(double dt) const {
     const Eigen::Index n = stiffness.rows();
-    const auto one = Eigen::MatrixXd::Identity(n, n);
-    Eigen::MatrixXd amplification(2 * n, 2 * n);  // of (x, dt v)
-    const Eigen::MatrixXd k = dt * dt / mass * stiffness, c = dt / mass * damping;
+    const auto one = Matrix::Identity(n, n);
+    Matrix amplification(2 * n, 2 * n);  // of (x, dt v)
+    const Matrix k = dt * dt / mass * stiffness, c = dt / mass * damping;
     amplification << one - k, one - c, -k, one - c;
     return amplification.eigenvalues().cwiseAbs().maxCoeff();
   }
@@ -135,7 +137,7 @@ class SingleElement {
 
   /// Its free vibrations about where it stands, from the exact derivatives of its forces by dual numbers. Bulk
   /// viscosity, which acts in compression only, shows if the nodes move, at `velocities`.
-  ElementVibration<E> vibration(const Vectors& velocities = Vectors::Zero()) const {
+  ElementVibration<> vibration(const Vectors& velocities = Vectors::Zero()) const {
     const double dt = 1e-6 * record_.stable_step;
     const Eigen::MatrixXd one = slope(velocities, dt), two = slope(velocities, 2 * dt);  // dt K + C
     const auto symmetric = [](const Eigen::MatrixXd& A) -> Eigen::MatrixXd { return 0.5 * (A + A.transpose()); };
@@ -143,6 +145,7 @@ class SingleElement {
   }
 
   const Record& now() const { return record_; }
+  const M& material() const { return material_; }
   const auto& state() const { return state_; }
   double nodal_mass() const { return mass_; }
   double nodal_inertia() const { return mass_ * gyration_squared_; }
@@ -310,5 +313,28 @@ inline Nodal<double, 8> unit_cube() {
 
 /// Corners of the square [0, 1]^2 in the plane z = 0.
 inline Nodal<double, 4> unit_square() { return unit_cube().leftCols<4>(); }
+
+/// Corners of the tetrahedron with three unit edges along the axes.
+inline Nodal<double, 4> unit_tetrahedron() {
+  Nodal<double, 4> x;
+  x << 0, 1, 0, 0,  //
+      0, 0, 1, 0,   //
+      0, 0, 0, 1;
+  return x;
+}
+
+/// The undistorted corners of an element of unit size, where its kind and the number of its nodes tell them.
+template <class E>
+Nodal<double, E::nodes> unit_corners() {
+  constexpr bool plate = std::same_as<typename E::Kinematics, PlateKinematics>;
+  static_assert(E::nodes == 4 || (E::nodes == 8 && !plate),
+                "strike: the undistorted shape of this element is not known: give its corners.");
+  if constexpr (E::nodes == 8)
+    return unit_cube();
+  else if constexpr (plate)
+    return unit_square();
+  else
+    return unit_tetrahedron();
+}
 
 }  // namespace strike

@@ -1,6 +1,7 @@
 #pragma once
 #include <concepts>
 #include <limits>
+#include <type_traits>
 
 #include <strike/scalar/dual.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -34,10 +35,21 @@ concept ThermalFlow = requires(const S law, double x) {
 template <class S>
 concept FlowLaw = RateIndependentFlow<S> || RateDependentFlow<S> || ThermalFlow<S>;
 
-/// How a solid resists a change of shape: a flow law, or a model of its own that has a `shear_modulus` and
-/// `deviatoric_stress(s, d)`: the new deviator from the old one (already turned) and the deviatoric strain increment d.
+/// A model of its own that remembers something, in a `State<T>` whose `spatial_tensors()`, if it has them, are turned:
+/// `deviatoric_stress(state, s, d, J, dt)`, where J = V/V0; and if its tangent may exceed its `shear_modulus`, the
+/// bound `stiffness(state, J)`.
 template <class S>
-concept Strength = FlowLaw<S> || requires(const S strength, const SymmetricTensor<double> s) {
+concept StrengthWithMemory = requires(const S strength, typename S::template State<double> state,
+                                      const SymmetricTensor<double> s) {
+  { strength.shear_modulus } -> std::convertible_to<double>;
+  { strength.deviatoric_stress(state, s, s, 1.0, 1.0) } -> std::same_as<SymmetricTensor<double>>;
+};
+
+/// How a solid resists a change of shape: a flow law, or a model of its own that has a `shear_modulus`, the stiffest
+/// that it answers with, and `deviatoric_stress(s, d)`: the new deviator from the old one (already turned) and the
+/// deviatoric strain increment d; or one with memory.
+template <class S>
+concept Strength = FlowLaw<S> || StrengthWithMemory<S> || requires(const S strength, const SymmetricTensor<double> s) {
   { strength.shear_modulus } -> std::convertible_to<double>;
   { strength.deviatoric_stress(s, s) } -> std::same_as<SymmetricTensor<double>>;
 };
@@ -72,11 +84,18 @@ struct ThermalPlasticity {
   };
 };
 template <class S>
+struct OwnMemory {
+  template <class T>
+  using State = typename S::template State<T>;
+};
+template <class S>
 constexpr auto strength_state() {
   if constexpr (ThermalFlow<S>)
     return ThermalPlasticity{};
   else if constexpr (FlowLaw<S>)
     return Plasticity{};
+  else if constexpr (StrengthWithMemory<S>)
+    return OwnMemory<S>{};
   else
     return NoPlasticity{};
 }
@@ -156,16 +175,18 @@ T plastic_increment(const S& law, const StrengthState<S, T>& state, const T& q, 
 /// and Key (1976). s is the old deviator, already turned; d the deviatoric strain increment.
 template <Strength S, class State, class T>
 SymmetricTensor<T> advance_deviator(const S& law, State& state, const SymmetricTensor<T>& s,
-                                    const SymmetricTensor<T>& d, double dt) {
+                                    const SymmetricTensor<T>& d, double dt,
+                                    [[maybe_unused]] const std::type_identity_t<T>& J = T(1.0)) {
   if constexpr (FlowLaw<S>) {
     const SymmetricTensor<T> trial = s + T(2.0 * law.shear_modulus) * d;
-    constexpr double least = sizeof(RealOf<T>) == 4 ? 5e-26 : 8e-206;  // the derivative of its root is a number too
-    const T q_squared = max(T(least), 1.5 * double_dot(trial, trial));
+    const T q_squared = max(T(detail::least_square<T>), 1.5 * double_dot(trial, trial));
     const T per_q = rsqrt(q_squared), q = q_squared * per_q;
     const T dl = plastic_increment<S, T>(law, state, q, dt), relaxed = 3.0 * law.shear_modulus * dl;
     state.equivalent_plastic_strain += dl;
     if constexpr (ThermalFlow<S>) state.temperature_rise += law.heating * (q - relaxed) * dl;
     return (1.0 - relaxed * per_q) * trial;
+  } else if constexpr (StrengthWithMemory<S>) {
+    return law.deviatoric_stress(state, s, d, J, dt);
   } else {
     return (void)state, (void)dt, law.deviatoric_stress(s, d);
   }

@@ -1,0 +1,45 @@
+#pragma once
+#include <strike/element/element.hpp>
+
+namespace strike {
+
+/// An element whose mass is scaled at the begin so that it allows at least this `step` [time], before the factor of the
+/// run: for the few that are much smaller than the others. A rate of sqrt(k/m) falls with the root of the mass, and so
+/// at least does that of what is damped. Nodes get the mass; the density in the laws stays. The part tells what was
+/// added: `run.thing<i>().added_mass()`, and in its notice.
+///   Part{MassScaled{Hex8{}, 2e-4}, copper, mesh.hexahedra}
+template <class E>
+struct MassScaled : E {
+  double step;
+
+  template <class M, class T>
+  struct State : E::template State<M, T> {
+    T mass_factor{1.0};
+  };
+
+  template <class M, class T>
+  auto begin(State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x) const {
+    auto given = E::begin(state, material, x);
+    typename E::template State<M, T> trial = state;
+    const Nodal<T, motions<E>> v = Nodal<T, motions<E>>::Constant(T(0.0));
+    const T shortfall = step * E::advance(trial, material, x, v, 0.0).critical_rate;
+    state.mass_factor = max(T(1.0), shortfall * shortfall);
+    if constexpr (turns_nodes<E>())
+      given.mass *= state.mass_factor, given.inertia *= state.mass_factor;
+    else
+      given *= state.mass_factor;
+    return given;
+  }
+
+  template <class M, class T, class... Motion>
+  auto advance(State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x, const Motion&... v_dt) const
+      -> decltype(std::declval<const E&>().advance(state, material, x, v_dt...)) {
+    auto response = E::advance(state, material, x, v_dt...);
+    response.critical_rate *= rsqrt(state.mass_factor);
+    return response;
+  }
+};
+template <class E>
+MassScaled(E, double) -> MassScaled<E>;
+
+}  // namespace strike

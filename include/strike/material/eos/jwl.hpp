@@ -1,0 +1,27 @@
+#pragma once
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// Jones, Wilkins and Lee: the products of an explosive (Lee, Hornig and Kury 1968), with V = 1/(1 + mu)
+///   p = A (1 - w/(R1 V)) exp(-R1 V) + B (1 - w/(R2 V)) exp(-R2 V) + w E/V
+/// whose isentropes are A exp(-R1 V) + B exp(-R2 V) + C V^(-1 - w).
+struct Jwl {
+  double density;  ///< of the explosive
+  double A_products, B_products;
+  double R1, R2, omega;
+  double initial_energy;  ///< E0, of detonation
+
+  template <class T>
+  T A(const T& mu) const {
+    const T V = 1.0 / (1.0 + mu);
+    const auto term = [&](double a, double R) -> T { return a * (1.0 - (omega / R) * (1.0 + mu)) * exp(T(-R * V)); };
+    return term(A_products, R1) + term(B_products, R2);
+  }
+  template <class T>
+  T B(const T& mu) const {
+    return omega * (1.0 + mu);
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+
+#include <strike/material/strength/strength.hpp>
+
+namespace strike {
+
+/// A law of hardening with the rate factor of Cowper and Symonds (1957), sigma(e) [1 + (r/D)^(1/p)]:
+///   CowperSymonds{TabulatedHardening{...}, 40.4, 5}
+/// RateVonMises is the same for linear hardening, and cheaper.
+template <RateIndependentFlow Law>
+struct CowperSymonds {
+  Law law;
+  double D;  ///< the rate that doubles the flow stress [1/time]
+  double p;
+  double shear_modulus = law.shear_modulus;
+
+  std::string notice() const requires requires(Law l) { l.notice(); }
+  { return law.notice(); }
+
+  template <class T>
+  T flow_stress(const T& e, const T& rate) const {
+    return law.flow_stress(e) * (1.0 + pow(T(rate * (1.0 / D)), 1.0 / p));
+  }
+};
+template <class Law>
+CowperSymonds(Law, double, double) -> CowperSymonds<Law>;
+
+}  // namespace strike

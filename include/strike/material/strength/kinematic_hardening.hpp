@@ -1,0 +1,41 @@
+#pragma once
+#include <tuple>
+
+#include <strike/tensor/tensor.hpp>
+
+namespace strike {
+
+/// Von Mises plasticity whose linear hardening goes by a share b into the size of the yield surface and by the rest
+/// into its place, the back stress a (Prager 1956; Krieg and Key 1976):
+///   sqrt(3/2 |s - a|^2) = Y + b H e,    da = (1 - b) H dl (s - a)/(Y + b H e)
+/// b = 0 is kinematic hardening, under which a metal shakes down to loops 2 Y wide; b = 1 is VonMises. The return is in
+/// closed form.
+struct KinematicHardening {
+  double shear_modulus;        ///< G
+  double yield_stress;         ///< Y
+  double hardening_modulus;    ///< H >= 0
+  double isotropic_share = 0;  ///< b
+
+  template <class T>
+  struct State {
+    T equivalent_plastic_strain{};
+    SymmetricTensor<T> back_stress{};
+
+    auto spatial_tensors() { return std::tie(back_stress); }
+  };
+
+  template <class T>
+  SymmetricTensor<T> deviatoric_stress(State<T>& state, const SymmetricTensor<T>& s, const SymmetricTensor<T>& d,
+                                       const T&, double) const {
+    auto& [e, a] = state;
+    const double G3 = 3 * shear_modulus, H = hardening_modulus, b = isotropic_share;
+    const SymmetricTensor<T> trial = s + T(2 * shear_modulus) * d, from_centre = trial - a;
+    const T q2 = max(T(detail::least_square<T>), 1.5 * double_dot(from_centre, from_centre)), per_q = rsqrt(q2);
+    const T dl = (1 / (G3 + H)) * max(T(0.0), q2 * per_q - (yield_stress + (b * H) * e));
+    e += dl;
+    a += ((1 - b) * H * dl * per_q) * from_centre;
+    return trial - (G3 * dl * per_q) * from_centre;
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+#include <strike/tensor/tensor.hpp>
+
+namespace strike {
+
+/// Linear viscoelasticity of the shape, by Maxwell's elements beside a spring: the shear modulus relaxes as
+///   G(t) = G0 [1 - sum g_k (1 - exp(-t/t_k))]
+/// and the part of each element is integrated exactly for the rate of the step, whatever dt/t_k (Taylor, Pister and
+/// Goudreau 1970): h <- exp(-dt/t_k) h + 2 G0 g_k (1 - exp(-dt/t_k))/(dt/t_k) d.
+/// After a quick load and unload it recovers: held still, its stress then grows towards that of the spring.
+///   Prony<2> pvb{.shear_modulus = G0, .terms = {{.share = .9, .time = 1e-3}, {.share = .09, .time = 1}}};
+template <std::size_t n>
+struct Prony {
+  struct Term {
+    double share;  ///< g_k of G0, their sum at most 1
+    double time;   ///< t_k > 0, of relaxation [time]
+  };
+
+  double shear_modulus;  ///< G0, instantaneous
+  Term terms[n];
+
+  template <class T>
+  struct State {
+    std::array<SymmetricTensor<T>, n> overstress{};  ///< h_k, what is still to relax
+
+    auto spatial_tensors() {
+      return std::apply([](auto&... h) { return std::tie(h...); }, overstress);
+    }
+  };
+
+  /// G(t).
+  double relaxation(double t) const {
+    double share = 1;
+    for (const auto& [g, time] : terms) share += g * std::expm1(-t / time);
+    return shear_modulus * share;
+  }
+
+  template <class T>
+  SymmetricTensor<T> deviatoric_stress(State<T>& state, const SymmetricTensor<T>& s, const SymmetricTensor<T>& d,
+                                       const T&, double dt) const {
+    const double G2 = 2 * shear_modulus;
+    SymmetricTensor<T> next = s + T(G2) * d;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto [g, time] = terms[k];
+      const double x = dt / time, lost = -std::expm1(-x), mean = x > 0 ? lost / x : 1;
+      SymmetricTensor<T>& h = state.overstress[k];
+      const SymmetricTensor<T> relaxed = T(lost) * h + T((1 - mean) * G2 * g) * d;
+      next = next - relaxed;
+      h = h + T(G2 * g) * d - relaxed;
+    }
+    return next;
+  }
+};
+
+}  // namespace strike

@@ -1,0 +1,31 @@
+#pragma once
+#include <limits>
+
+#include <strike/scalar/scalar.hpp>
+
+namespace strike {
+
+/// Zerilli and Armstrong (1987), of dislocations that cross their barriers by thermal activation, with both of their
+/// lattices in one formula:
+///   sigma = C0 + [C1 + C2 sqrt(e)] exp(-C3 T + C4 T ln(r/r0)) + C5 e^n
+/// bcc (iron) has C2 = 0 (eq. 20), fcc (copper) C1 = C5 = 0 (eq. 19). T is absolute, and grows by the plastic work. As
+/// the rate vanishes, so does the thermal part.
+struct ZerilliArmstrong {
+  double shear_modulus;
+  double C0;  ///< of solutes and grains, sigma_G + k/sqrt(l)
+  double C1 = 0, C2 = 0;
+  double C3, C4;  ///< [1/temperature]
+  double C5 = 0, n = 1;
+  double reference_rate = 1;  ///< r0 [1/time]
+  double initial_temperature = 293;
+  double heating = 0;  ///< rise of temperature per plastic work, 0.9/(rho0 c_p) [temperature volume/energy]
+
+  template <class T>
+  T flow_stress(const T& e, const T& rate, const T& temperature) const {
+    const T activity = log(max(rate * (1.0 / reference_rate), T(std::numeric_limits<RealOf<T>>::min())));
+    const T thermal = exp(T(temperature * (C4 * activity - C3)));
+    return C0 + (C1 + C2 * sqrt(e)) * thermal + C5 * pow(e, n);
+  }
+};
+
+}  // namespace strike
