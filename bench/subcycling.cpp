@@ -85,7 +85,7 @@ std::string stability() {
       "viscous |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
   std::printf("%s", table.c_str());
   for (const auto& [from, to] : {std::pair{0.5, 0.7}, std::pair{0.7, 0.9}, std::pair{0.9, 0.95}})
-    for (const std::size_t multiple : {2, 3, 4, 5, 6, 8}) {
+    for (const std::size_t multiple : {2u, 3u, 4u, 5u, 6u, 8u}) {
       std::string row =
           detail::joined({"| ", number("%.2f", from), " to ", number("%.2f", to), ", ", std::to_string(multiple)});
       for (const auto& [viscosity, layers] : {std::pair{0., 0}, std::pair{0., 1}, std::pair{0., 2}, std::pair{0., 3},
@@ -239,7 +239,7 @@ std::string shivering(const Block& block, std::size_t cycles) {
     std::string row =
         detail::joined({"| ", number("%g", block.ratio), ", ",
                         std::is_same_v<Viscosity, NoBulkViscosity> ? "without" : "with", ", ", number("%.2f", factor)});
-    for (const std::size_t layers : {0, 1, 2, 3}) row += " | " + worst(factor, layers);
+    for (const std::size_t layers : {0u, 1u, 2u, 3u}) row += " | " + worst(factor, layers);
     row += " |\n";
     std::printf("%s", row.c_str());
     std::fflush(stdout);
