@@ -1,6 +1,8 @@
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/vumat.hpp>
 
 #include "feature.hpp"
+#include "vumat/copper_vumat.h"
 
 namespace prices {
 
@@ -13,7 +15,12 @@ Group strengths() {
                                  Solid{linear, ElasticStrength{.shear_modulus = 43.3e9}}),
            hexahedra.of_material("VonMises, perfectly plastic", Solid{linear, perfectly_plastic}),
            hexahedra.of_material("RateVonMises", Solid{linear, rate_dependent}),
-           hexahedra.of_material("JohnsonCook, with its temperature", Solid{linear, johnson_cook})}};
+           hexahedra.of_material("JohnsonCook, with its temperature", Solid{linear, johnson_cook}),
+           hexahedra.of_material("the usual law as a routine in C: Vumat",
+                                 Vumat<1>{{.routine = copper_vumat,
+                                           .density = linear.density,
+                                           .properties = {linear.density, linear.bulk_modulus, hardening.shear_modulus,
+                                                          hardening.yield_stress, hardening.hardening_modulus}}})}};
 }
 
 Group failures() {

@@ -31,4 +31,5 @@
 #include <strike/material/strength/zerilli_armstrong.hpp>
 #include <strike/material/thickness_rule.hpp>
 #include <strike/material/transverse_shear.hpp>
+#include <strike/material/vumat.hpp>
 #include <strike/material/zero_normal_stress.hpp>

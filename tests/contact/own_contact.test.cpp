@@ -1,45 +1,8 @@
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include "examples/own_contact/own_contact.hpp"
 
 #include "conformance/contact.hpp"
 
 using namespace strike;
-
-namespace {
-
-/// A node leaves with a part of the speed with which it came (Newton's restitution).
-struct Restitution {
-  double coefficient;
-
-  double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
-    for (ContactPair& pair : pairs) {
-      const double approach = pair.normal.dot(pair.velocity(nodes));
-      if (!(pair.gap + step.dt * approach < 0) || !(approach < 0) || !(pair.yielding > 0)) continue;
-      pair.push(nodes, -(1 + coefficient) * approach / pair.yielding);
-    }
-    return 0;  // no stiffness: the step may stay as it is
-  }
-};
-
-/// Coulomb's friction up to what the surface can bear.
-struct LimitedFriction {
-  double coefficient, largest_impulse;
-
-  double impulse(double normal, double stops) const { return std::min({coefficient * normal, largest_impulse, stops}); }
-};
-
-/// A rigid torus about the z axis.
-struct RigidTorus {
-  double radius, tube;
-
-  Clearance clearance(const Eigen::Vector3d& x) const {
-    const Eigen::Vector3d ring = radius * Eigen::Vector3d(x.x(), x.y(), 0).normalized(), r = x - ring;
-    return {r.norm() - tube, r.normalized()};
-  }
-};
-
-}  // namespace
 
 TEST_CASE("conformance: a law and a friction of one's own") {
   testing::conforms_as_contact(Restitution{0.7});

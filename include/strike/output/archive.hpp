@@ -18,11 +18,11 @@ namespace strike {
 
 /// How things tell what they remember, all with one function of theirs, which writes, reads and compares:
 ///
-///   template <class Archive>
-///   void serialize(Archive& archive) {
-///     archive(position_, velocity_);  // changes as a run goes on: is written, and comes back
-///     archive.same(mass_);            // follows from the scene: has to be the same there and here
-///   }
+///     template <class Archive>
+///     void serialize(Archive& archive) {
+///       archive(position_, velocity_);  // changes as a run goes on: is written, and comes back
+///       archive.same(mass_);            // follows from the scene: has to be the same there and here
+///     }
 ///
 /// An archive takes numbers and what is copied as bytes, Eigen's vectors and matrices of fixed size, std::string,
 /// std::vector, std::span and std::tuple of such things, and whatever has such a function.
