@@ -13,3 +13,4 @@
 #include <strike/dynamics/scene.hpp>
 #include <strike/dynamics/step_bound.hpp>
 #include <strike/dynamics/stop_when.hpp>
+#include <strike/dynamics/subcycling.hpp>

@@ -31,8 +31,8 @@ const LinearEos copper_eos{.density = 8.93e-6, .bulk_modulus = 130};
 const VonMises copper_strength{.shear_modulus = 43.3, .yield_stress = 0.4, .hardening_modulus = 0.1};
 
 /// Everything at once: a body of tetrahedra that erodes strikes a layered plate on supports, with springs and friction.
-auto bird_strike() {
-  Mesh plate = rectangle({.size = {40, 40}, .cells = {5, 5}});
+auto bird_strike(Index cells = 5) {
+  Mesh plate = rectangle({.size = {40, 40}, .cells = {cells, cells}});
   const Mesh body = translated(tetrahedralized(box({.size = {10, 10, 10}, .cells = {2, 2, 2}})), {14, 15, 1.2});
   const Index first = append(plate, body);
   std::vector<Index> bird;
@@ -111,6 +111,12 @@ TEST_CASE("checkpoint: a strike with plates, eroding tetrahedra, springs and fri
   CHECK(run.thing<1>().deleted() > 0);
   CHECK(run.thing<4>().impulse().z() > 0);
   CHECK(run.energy().friction > 0);
+}
+
+TEST_CASE("checkpoint: the same under subcycling, plates slow, goes on to the bit within a cycle") {
+  const auto run = goes_on_to_the_bit([] { return Explicit{bird_strike(3), {}, Subcycling{}}; }, 0.12);
+  CHECK(run.cycle().multiple() > 1);
+  CHECK(run.thing<1>().deleted() > 0);
 }
 
 TEST_CASE("checkpoint: a bar in mixed precision under the step of the mesh goes on to the bit") {

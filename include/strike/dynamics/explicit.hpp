@@ -29,8 +29,8 @@ struct ExplicitOptions {
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
 /// Between two steps it holds x, f at the time n and v half a step before. Policies, after the options and in any
 /// order, choose what is not to be as usual: numbers (`in<Pack<float>>`), execution (`OpenMP{}`), what bounds the step
-/// (`GlobalStep{}`), and damping (`DynamicRelaxation{}`).
-template <class Numbers, class Execution, class Bound, class Damping, class... Things>
+/// (`GlobalStep{}`), damping (`DynamicRelaxation{}`), and how often parts are advanced (`Subcycling{}`).
+template <class Numbers, class Execution, class Bound, class Damping, class Cycle, class... Things>
 class Explicit {
  public:
   using Real = typename Numbers::NodeReal;
@@ -40,11 +40,13 @@ class Explicit {
   explicit Explicit(Scene<Things...> scene, ExplicitOptions options = {}, const Policies&... policies)
       : Explicit(std::move(scene), options, detail::pick<detail::IsExecution>(policies..., Serial{}),
                  detail::pick<detail::IsStepBound>(policies..., ElementStep{}),
-                 detail::pick<detail::IsDamping>(policies..., NoDamping{}), detail::arrange(scene)) {
+                 detail::pick<detail::IsDamping>(policies..., NoDamping{}),
+                 detail::pick<detail::IsCycle>(policies..., NoSubcycling{}), detail::arrange(scene)) {
     static_assert(
         (detail::is_policy<Policies> && ...),
         "strike: the policies of Explicit, after its options, are its numbers, such as in<Pack<float>>, its execution, "
-        "such as OpenMP{}, the bound of its step, such as GlobalStep{}, and its damping, such as DynamicRelaxation{}.");
+        "such as OpenMP{}, the bound of its step, such as GlobalStep{}, its damping, such as DynamicRelaxation{}, and "
+        "Subcycling{}.");
   }
 
   /// One step: from n to n + 1.
@@ -88,6 +90,8 @@ class Explicit {
   const StableStep& stable_step() const { return stable_; }
   /// The damping at work.
   const auto& damping() const { return damping_; }
+  /// The cycle in which parts are advanced, at work.
+  const auto& cycle() const { return cycle_; }
   /// What bounds the step, at work.
   const auto& step_bound() const { return bound_; }
   /// What the user should know before believing the results, a sentence each.
@@ -102,9 +106,11 @@ class Explicit {
           (ask(thing), ...);
         },
         things_);
+    if constexpr (Cycle::subcycles) cycle_.tell(things_, all);
     return all;
   }
-  /// The energies at the last time at which both neighbouring velocities are known, one step back.
+  /// The energies at the last time at which both neighbouring velocities are known, one step back; with Subcycling at
+  /// the begin of the present cycle.
   const Energy& energy() const { return energy_; }
   Eigen::Vector3d momentum() const {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
@@ -127,6 +133,7 @@ class Explicit {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(nodes_, bound_, damping_, ledger_, energy_, step_, stable_, bounded_, smallest_step_, clock_);
+    if constexpr (Cycle::subcycles) archive(cycle_);
     each([&](auto& thing) {
       if constexpr (detail::Serializes<decltype(thing), Archive>) archive(thing);
     });
@@ -145,11 +152,12 @@ class Explicit {
   using Running = std::tuple<typename detail::Running<Things, Numbers, Nodes, Bound>::type...>;
 
   Explicit(Scene<Things...>&& scene, const ExplicitOptions& options, const Execution& execution, const Bound& bound,
-           const Damping& damping, detail::Arrangement arrangement)
+           const Damping& damping, const Cycle& cycle, detail::Arrangement arrangement)
       : options_(options),
         execution_(execution),
         bound_(bound),
         damping_(damping),
+        cycle_(cycle),
         nodes_(scene.nodes, std::move(arrangement.nodes)),
         things_(start(std::move(scene.things), nodes_, std::move(arrangement.cells))),
         kinetic_(detail::chunks(nodes_.size())) {
@@ -176,6 +184,10 @@ class Explicit {
     ledger_.initial = ledger_.kinetic + ledger_.internal.settled();
     energy_ = ledger_.energy();
     deform();
+    if constexpr (Cycle::subcycles) {
+      cycle_.begin(things_, nodes_);
+      deform();
+    }
     push();
   }
 
@@ -227,6 +239,11 @@ class Explicit {
 
   void choose_step() {
     const double before = step_.dt;
+    if constexpr (Cycle::subcycles)
+      if (!cycle_.is_complete()) {
+        step_ = {step_.number + 1, clock_.time(), before, cycle_.next_step(before, end_ - clock_.time())};
+        return;
+      }
     if (std::isfinite(stable_.dt)) bounded_ = stable_.dt;  // and while nothing is left that resists, as before
     double dt = std::min(options_.step_factor * bounded_, options_.largest_step);
     if (!std::isfinite(dt)) stop("no element is left that bounds the step; give a `.largest_step`");
@@ -235,7 +252,7 @@ class Explicit {
       stop(detail::joined({"the time step has fallen to ", detail::text(dt), " because of ", culprit(),
                            "; refine the mesh there, let the material fail, or allow it by `.smallest_step`"}));
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
-    const double left = end_ - clock_.time();
+    const double left = (end_ - clock_.time()) / static_cast<double>(cycle_.multiple());
     if (2 * dt > left) dt = dt < left ? 0.5 * left : left;
     step_ = {step_.number + 1, clock_.time(), before, dt};
   }
@@ -320,8 +337,10 @@ class Explicit {
   void audit() {
     if (step_.number == 1) begin_balance();
     ledger_.kinetic += ledger_.impulses_before();
-    energy_ = ledger_.energy();
-    if (step_.number > 1) check_balance();
+    if (cycle_.is_complete()) {
+      energy_ = ledger_.energy();
+      if (step_.number > 1) check_balance();
+    }
     ledger_.settle();
     if constexpr (Damping::damps)
       if (damping_.restarts())
@@ -362,6 +381,7 @@ class Explicit {
     detail::for_each_chunk(execution_, nodes_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) nodes_.position()[i] += Padded<Real>(dt) * nodes_.velocity()[i];
     });
+    if constexpr (Cycle::subcycles) cycle_.drift(nodes_, step_.dt, execution_);
     if (step_.dt >= end_ - clock_.time())
       clock_.set(end_);
     else
@@ -369,12 +389,12 @@ class Explicit {
   }
 
   void deform() {
-    stable_ = {};
+    const StableStep before = std::exchange(stable_, {});
     each([&](auto& thing) {
       if constexpr (requires { thing.deform(nodes_, step_.dt, ledger_, execution_); }) {
         StableStep mine;
         try {
-          mine = thing.deform(nodes_, step_.dt, ledger_, execution_);
+          mine = cycle_.deform(thing, nodes_, step_.dt, ledger_, execution_);
         } catch (const Error& error) {
           stop(error.what());
         }
@@ -386,6 +406,7 @@ class Explicit {
     each([&](auto& thing) {
       if constexpr (requires { thing.stable_step(stable_.dt); }) stable_.dt = thing.stable_step(stable_.dt);
     });
+    if (!cycle_.is_complete()) stable_ = before;
   }
 
   /// Those who want to know learn which elements are left.
@@ -434,6 +455,7 @@ class Explicit {
   Execution execution_;
   [[no_unique_address]] typename Bound::template Running<Nodes, Running> bound_;
   [[no_unique_address]] detail::RunningDamping<Damping> damping_;
+  [[no_unique_address]] detail::RunningCycle<Cycle, Nodes> cycle_;
   Nodes nodes_;
   Running things_;
   std::vector<double> kinetic_;  // twice the kinetic energy of each chunk of nodes
@@ -449,9 +471,11 @@ class Explicit {
 };
 
 /// A scene that the compiler complains about gets no second complaint.
-template <class Numbers, class Execution, class Bound, class Damping, class... Things>
-requires(!Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_available<Execution>() ||
-         !detail::is_bounded<Bound, Things...>) class Explicit<Numbers, Execution, Bound, Damping, Things...> {
+template <class Numbers, class Execution, class Bound, class Damping, class Cycle, class... Things>
+requires(
+    !Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_available<Execution>() ||
+    !detail::is_bounded<Bound, Things...> ||
+    !detail::can_cycle<Cycle, Bound, Damping>) class Explicit<Numbers, Execution, Bound, Damping, Cycle, Things...> {
  public:
   explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {
     static_assert(detail::is_available<Execution>(),
@@ -459,17 +483,20 @@ requires(!Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_availabl
     static_assert(!Scene<Things...>::sound || detail::is_bounded<Bound, Things...>,
                   "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
                   "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
+    static_assert(detail::can_cycle<Cycle, Bound, Damping>,
+                  "strike: Subcycling{} needs the steps of the elements and true times: leave out GlobalStep{} and "
+                  "DynamicRelaxation{}.");
   }
   void step() {}
   void until(auto&&...) {}
 };
 
 template <class... Things>
-Explicit(Scene<Things...>)
-    -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, detail::StepBoundOf<>, detail::DampingOf<>, Things...>;
+Explicit(Scene<Things...>) -> Explicit<detail::NumbersOf<>, detail::ExecutionOf<>, detail::StepBoundOf<>,
+                                       detail::DampingOf<>, detail::CycleOf<>, Things...>;
 template <class... Things, class... Policies>
 Explicit(Scene<Things...>, ExplicitOptions, Policies...)
     -> Explicit<detail::NumbersOf<Policies...>, detail::ExecutionOf<Policies...>, detail::StepBoundOf<Policies...>,
-                detail::DampingOf<Policies...>, Things...>;
+                detail::DampingOf<Policies...>, detail::CycleOf<Policies...>, Things...>;
 
 }  // namespace strike

@@ -5,6 +5,7 @@
 #include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/relaxation.hpp>
 #include <strike/dynamics/step_bound.hpp>
+#include <strike/dynamics/subcycling.hpp>
 #include <strike/mesh/nodes.hpp>
 #include <strike/pick.hpp>
 #include <strike/scalar/scalar.hpp>
@@ -48,8 +49,13 @@ template <class P>
 } > {};
 
 template <class P>
+    struct IsCycle : std::bool_constant < requires {
+  P::subcycles;
+} > {};
+
+template <class P>
 inline constexpr bool is_policy =
-    IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value || IsDamping<P>::value;
+    IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value || IsDamping<P>::value || IsCycle<P>::value;
 
 /// Whether the compiler has been told to compile this execution.
 template <class E>
@@ -68,6 +74,12 @@ template <class... Policies>
 using StepBoundOf = decltype(pick<IsStepBound>(std::declval<Policies>()..., ElementStep{}));
 template <class... Policies>
 using DampingOf = decltype(pick<IsDamping>(std::declval<Policies>()..., NoDamping{}));
+template <class... Policies>
+using CycleOf = decltype(pick<IsCycle>(std::declval<Policies>()..., NoSubcycling{}));
+
+/// Whether the steps of parts can be told apart: the mesh as a whole has one, and rest has none.
+template <class Cycle, class Bound, class Damping>
+inline constexpr bool can_cycle = !Cycle::subcycles || (std::is_same_v<Bound, ElementStep> && !Damping::damps);
 
 }  // namespace detail
 

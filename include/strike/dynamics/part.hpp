@@ -102,6 +102,28 @@ struct StableStep {
   std::size_t part = 0;
 };
 
+namespace detail {
+
+/// Which blocks of a part are advanced after a step, over what time and with which velocities: all, over the step, with
+/// those of the nodes. See RunningCycle for another.
+struct EveryStep {
+  double step;
+
+  void load(const Patches&, const Patch&) const {}
+  static constexpr bool comes(std::size_t) { return true; }
+  double dt(std::size_t) const { return step; }
+  template <class Motion>
+  const Motion& velocities(std::size_t, const Motion& motion) const {
+    return motion;
+  }
+  template <class T, class A>
+  const A& times_multiple(std::size_t, const A& a) const {
+    return a;
+  }
+};
+
+}  // namespace detail
+
 /// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
 template <class E, class M, class T, class Nodes = strike::Nodes<LaneOf<T>, LaneOf<T>, turns_nodes<E>()>,
           class Removal = NoErosion>
@@ -110,6 +132,7 @@ class RunningPart {
   static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
   static constexpr std::size_t width = lanes<T>;
   static constexpr bool erodes = std::same_as<Removal, Erosion>;
+  static constexpr bool averages_volume = requires { requires E::averages_volume; };
   using State = typename E::template State<M, T>;
   static constexpr bool scales_mass = requires(State state) { state.mass_factor; };
 
@@ -154,11 +177,15 @@ class RunningPart {
     }
   }
 
-  /// Advances every element over the step dt that led to the present positions, adds its forces to the nodes and its
-  /// work to the ledger, and returns the least stable step. Throws if an element is inverted; no node has moved by
-  /// then.
+  /// Advances every element, or those whose `turn` it is, over the step dt that led to the present positions, adds its
+  /// forces to the nodes and its work to the ledger, and returns the least stable step. Throws if an element is
+  /// inverted; no node has moved by then.
   template <class Execution>
   StableStep deform(Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+    return deform(nodes, ledger, execution, detail::EveryStep{dt});
+  }
+  template <class Execution, class Turn>
+  StableStep deform(Nodes& nodes, Ledger& ledger, const Execution& execution, const Turn& turn) {
     if constexpr (averages_volume) {
       volume_.clear();
       execution.for_each(patches_.size(), [&](std::size_t p) {
@@ -169,7 +196,8 @@ class RunningPart {
     }
     execution.for_each(patches_.size(), [&](std::size_t p) {
       if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
-      outcomes_[p] = advance(patches_[p], nodes.motion(), dt);
+      turn.load(patches_, patches_[p]);
+      outcomes_[p] = advance(patches_[p], nodes.motion(), turn);
       patches_.store(patches_[p], nodes);
     });
     patches_.store_ghosts(nodes, execution);
@@ -361,7 +389,8 @@ class RunningPart {
     double internal_work = 0, hourglass_work = 0, bulk_viscosity_work = 0;
   };
 
-  [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Motion& motion, double dt) {
+  template <class Turn>
+  [[gnu::flatten]] Outcome advance(const detail::Patch& patch, Motion& motion, const Turn& turn) {
     T rate = T(0.0), slowest = T(0.0);
     T inverted_volume = T(1.0), inverted = T(0.0);
     T internal = T(0.0), hourglass = T(0.0), bulk_viscosity = T(0.0);
@@ -369,13 +398,15 @@ class RunningPart {
     Local<E> element = element_;
     Local<M> material = material_;
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
+      if (!turn.comes(b)) continue;
       Block& block = blocks_[b];
+      const double dt = turn.dt(b);
       prefetch(blocks_[std::min(b + 2, blocks_.size() - 1)]);
       if constexpr (erodes)
         if (!any(block.removal.alive > 0.0)) continue;
       std::conditional_t<state_is_small || erodes, State, State&> state = block.state;
       const Nodal<T, E::nodes> x = gather<T, n>(motion.position, block.nodes);
-      const Velocities v{motion, block.nodes};
+      const Velocities v{turn.velocities(b, motion), block.nodes};
       std::conditional_t<erodes, Response<T, motions<E>>, const Response<T, motions<E>>> response = [&] {
         if constexpr (averages_volume)
           return element.advance(state, material, x, Vectors(v), volume_.template mean<T, n>(block.nodes), dt);
@@ -388,12 +419,14 @@ class RunningPart {
         erode(block, state, response, v, dt, b, outcome);
       else if constexpr (state_is_small)
         block.state = state;
-      scatter_subtract<T, n>(response.force, motion.force, block.nodes, count(b));
-      if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(response.force, motion.moment, block.nodes, count(b), n);
+      const auto& force = turn.template times_multiple<T>(b, response.force);
+      scatter_subtract<T, n>(force, motion.force, block.nodes, count(b));
+      if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(force, motion.moment, block.nodes, count(b), n);
 
       const T number = T(static_cast<double>(b - patch.first_block));
-      slowest = select(rate < response.critical_rate, number, slowest);
-      rate = max(rate, response.critical_rate);
+      const T critical_rate = turn.template times_multiple<T>(b, response.critical_rate);
+      slowest = select(rate < critical_rate, number, slowest);
+      rate = max(rate, critical_rate);
       const auto sound = response.volume > 0.0;
       inverted = select(sound, inverted, number);
       inverted_volume = select(sound, inverted_volume, response.volume);
@@ -481,8 +514,7 @@ class RunningPart {
                            detail::text((1.0 / static_cast<double>(n)) * sum)});
   }
 
-  static constexpr bool averages_volume = requires { requires E::averages_volume; }
-  , loses_elements = erodes || requires(const M m, const State s) { m.intact(s.material); };
+  static constexpr bool loses_elements = erodes || requires(const M m, const State s) { m.intact(s.material); };
   /// A state whose numbers may stay in registers while its element works on them.
   static constexpr bool state_is_small = sizeof(State) < 32 * sizeof(T);
 

@@ -1,0 +1,11 @@
+// expect: leave out GlobalStep{} and DynamicRelaxation{}
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+int main() {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  const Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+  Explicit run{Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}}, {}, Subcycling{}, DynamicRelaxation{}};
+  run.until(at_rest);
+}
