@@ -60,12 +60,12 @@ TEST_CASE("D24: rates of strain near the least number leave nothing, in double a
       using T = decltype(zero);
       typename M::template State<T> state;
       if constexpr (requires { material.begin(state); }) material.begin(state);
-      const T at_rest = material.stress(std::as_const(state)).xx;
+      const T still = material.stress(std::as_const(state)).xx;
       const T tiny = T(std::numeric_limits<RealOf<T>>::denorm_min()) * T(3.0);
       for (int i = 0; i < 1000; ++i) {
         const auto sigma = material.stress(state, {{tiny, -tiny, tiny, tiny, -tiny, tiny}, T(1.0)}, 1e-6);
-        const double change = std::abs(double(lane(sigma.xx, 0)) - double(lane(at_rest, 0)));
-        REQUIRE(change <= 1e-12 * std::abs(double(lane(at_rest, 0))) + 1e-30);
+        const double change = std::abs(double(lane(sigma.xx, 0)) - double(lane(still, 0)));
+        REQUIRE(change <= 1e-12 * std::abs(double(lane(still, 0))) + 1e-30);
         REQUIRE(std::abs(double(lane(sigma.xy, 0))) < 1e-30);
       }
     };
