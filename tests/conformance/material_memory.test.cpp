@@ -3,6 +3,7 @@
 
 #include "conformance/laws.hpp"
 #include "conformance/material.hpp"
+#include "support/tnt.hpp"
 
 using namespace strike;
 using namespace strike::testing::laws;
@@ -13,13 +14,7 @@ namespace {
 constexpr Prony<2> prony{.shear_modulus = G, .terms = {{.share = .7, .time = 1e-5}, {.share = .2, .time = 1e-7}}};
 constexpr KinematicHardening kinematic{
     .shear_modulus = G, .yield_stress = Y, .hardening_modulus = 10e9, .isotropic_share = .3};
-constexpr Jwl products{.density = 1630,
-                       .A_products = 371.2e9,
-                       .B_products = 3.231e9,
-                       .R1 = 4.15,
-                       .R2 = .95,
-                       .omega = .30,
-                       .initial_energy = 7.0e9};
+constexpr Jwl products = tnt::products;
 
 }  // namespace
 

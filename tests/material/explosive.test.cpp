@@ -7,20 +7,14 @@
 
 #include "conformance/material.hpp"
 #include "support/catch.hpp"
+#include "support/tnt.hpp"
 
 using namespace strike;
 
 namespace {
 
-/// TNT of Dobratz and Crawford (1985).
-constexpr Jwl products{.density = 1630,
-                       .A_products = 371.2e9,
-                       .B_products = 3.231e9,
-                       .R1 = 4.15,
-                       .R2 = .95,
-                       .omega = .30,
-                       .initial_energy = 7.0e9};
-constexpr double D = 6930, p_CJ = 21e9, width = .01;
+constexpr Jwl products = tnt::products;
+constexpr double D = tnt::detonation_velocity, p_CJ = tnt::pressure_CJ, width = .01;
 
 }  // namespace
 

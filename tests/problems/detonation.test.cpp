@@ -9,19 +9,14 @@
 
 #include "problems/column.hpp"
 #include "support/catch.hpp"
+#include "support/tnt.hpp"
 
 using namespace strike;
 
 TEST_CASE("a slab of TNT detonates from its rigid end: front, pressure behind it, and the state at rest in its wake") {
-  // TNT of Dobratz and Crawford (1985)
-  const Jwl eos{.density = 1630,
-                .A_products = 371.2e9,
-                .B_products = 3.231e9,
-                .R1 = 4.15,
-                .R2 = .95,
-                .omega = .30,
-                .initial_energy = 7.0e9};
-  const double D = 6930, p_CJ = 21e9, u_CJ = p_CJ / (eos.density * D), V_CJ = 1 - u_CJ / D;
+  const Jwl eos = tnt::products;
+  const double D = tnt::detonation_velocity, p_CJ = tnt::pressure_CJ, u_CJ = p_CJ / (eos.density * D),
+               V_CJ = 1 - u_CJ / D;
   // Behind the front matter expands along the isentrope, u = u_CJ - int sqrt(-p'/rho0) dV, until it is at rest (Taylor
   // 1950).
   const auto on_isentrope = [&](double V) {
