@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include <strike/element/stable_step.hpp>
 #include <strike/material/kinematics.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/verify/single_element.hpp>
@@ -34,9 +35,7 @@ struct Eigenmode {
   Eigen::Matrix3Xd shape;  ///< `motions` columns, of length 1 in all; rotations as in ElementVibration
 
   /// The largest stable step of this mode alone: w^2 dt^2/4 + d dt/2 = 1.
-  double critical_step() const {
-    return 1 / (0.25 * decay + 0.5 * std::sqrt(frequency * frequency + 0.25 * decay * decay));
-  }
+  double critical_step() const { return 1 / Vibration<double>{frequency * frequency, decay}.critical_rate(); }
 };
 
 /// The motions that an element must know whatever its shape, a column each, in the coordinates of ElementVibration.

@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <strike/element/element.hpp>
+#include <strike/element/stable_step.hpp>
 #include <strike/error.hpp>
 #include <strike/output/history.hpp>
 #include <strike/scalar/dual.hpp>
@@ -58,7 +59,7 @@ struct ElementVibration {
       const Eigen::SelfAdjointEigenSolver<Matrix> modes(both);
       const auto phi = modes.eigenvectors().col(stiffness.rows() - 1);
       const double k = phi.dot(stiffness * phi) / mass, c = phi.dot(damping * phi) / mass;
-      const double before = std::exchange(rate, 0.25 * c + 0.5 * std::sqrt(0.25 * c * c + k));
+      const double before = std::exchange(rate, Vibration<double>{k, c}.critical_rate());
       if (rate <= before * (1 + 1e-14)) break;
     }
     return 1 / rate;
