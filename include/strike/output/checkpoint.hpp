@@ -27,9 +27,9 @@ struct CheckpointHead {
   char magic[8] = {'s', 't', 'r', 'i', 'k', 'e', 'c', 'p'};
   std::uint32_t version = 1;
   std::uint32_t byte_order = 0x01020304;
-  std::uint64_t scene = 0;  ///< Fingerprint
 };
 struct CheckpointTail {
+  std::uint64_t scene = 0;     ///< Fingerprint
   std::uint64_t size = 0;      ///< of what is between, in bytes
   std::uint64_t checksum = 0;  ///< Hash of the same, a piece after the other
 };
@@ -37,13 +37,13 @@ inline constexpr std::size_t checkpoint_piece = 1 << 20;  // bytes
 
 class CheckpointWriter final : public Archive {
  public:
-  CheckpointWriter(OutputFile& file, std::uint64_t scene) : Archive(false), file_(file) {
-    CheckpointHead head;
-    head.scene = scene;
+  explicit CheckpointWriter(OutputFile& file) : Archive(false), file_(file) {
+    const CheckpointHead head;
     file_.write({reinterpret_cast<const char*>(&head), sizeof head});
   }
   void finish() {
     flush();
+    tail_.scene = scene_.value();
     tail_.checksum = hash_.value();
     file_.write({reinterpret_cast<const char*>(&tail_), sizeof tail_});
     file_.sync();
@@ -59,6 +59,7 @@ class CheckpointWriter final : public Archive {
       if (piece_.size() == checkpoint_piece) flush();
     }
   }
+  void note(const void* at, std::size_t count) override { scene_.add(at, count); }
   void flush() {
     hash_.add(piece_.data(), piece_.size());
     tail_.size += piece_.size();
@@ -68,7 +69,7 @@ class CheckpointWriter final : public Archive {
 
   OutputFile& file_;
   std::string piece_;
-  Hash hash_;
+  Hash hash_, scene_;
   CheckpointTail tail_;
 };
 
@@ -87,8 +88,7 @@ class CheckpointReader final : public Archive {
     if (head.version != ours.version)
       refuse(joined({"has the format ", std::to_string(head.version), " but this version of strike reads ",
                      std::to_string(ours.version), "; go on with the version that wrote it"}));
-    check_sum();
-    if (head.scene != scene)
+    if (read_tail().scene != scene)
       refuse(
           "is of another scene: its mesh, elements, materials, numbers or observers differ; go on with the program "
           "that wrote it");
@@ -110,7 +110,8 @@ class CheckpointReader final : public Archive {
   }
   bool get(void* to, std::size_t count) { return std::fread(to, 1, count, file_.get()) == count; }
 
-  void check_sum() {
+  /// The tail of a file whose checksum fits.
+  CheckpointTail read_tail() {
     Hash hash;
     CheckpointTail tail;
     std::string piece(checkpoint_piece + sizeof tail, '\0');
@@ -131,6 +132,7 @@ class CheckpointReader final : public Archive {
     }
     if (kept < sizeof tail || tail.size != left_ || tail.checksum != hash.value())
       refuse("is cut short or damaged; take an older one, or begin anew");
+    return tail;
   }
 
   [[noreturn]] void refuse(const std::string& why) const {
@@ -172,7 +174,7 @@ template <class... Things>
 void write_checkpoint(const std::string& path, Things&... things) {
   if constexpr ((detail::remembers<Things>() && ...))
     detail::replace_file(path, [&](detail::OutputFile& file) {
-      detail::CheckpointWriter archive(file, detail::fingerprint_of(things...));
+      detail::CheckpointWriter archive(file);
       archive(things...);
       archive.finish();
     });
