@@ -16,8 +16,8 @@
 #include <strike/element/hex8.hpp>
 #include <strike/element/hex8_full.hpp>
 #include <strike/element/plate4.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/clock.hpp"
 #include "support/counted.hpp"

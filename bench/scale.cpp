@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <strike/dynamics/explicit.hpp>
-#include <strike/dynamics/openmp.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/material/solid.hpp>
+#include <strike/motion/openmp.hpp>
 
 #include "support/clock.hpp"
 #include "support/materials.hpp"

@@ -176,7 +176,7 @@ std::string time(std::size_t repeats) {
     std::sort(ratios.begin(), ratios.end());
     Explicit run{scene, ExplicitOptions{}, Subcycling{}};
     const double all = static_cast<double>(block.cells) * block.cells * block.layers,
-                 share = 1 - static_cast<double>(run.cycle().slow(run.thing<1>())) / all *
+                 share = 1 - static_cast<double>(run.cycle().slow(run.item<1>())) / all *
                                  (1 - 1 / static_cast<double>(run.cycle().multiple()));
     const std::string row = detail::joined({"| ",
                                             number("%g", all),
@@ -212,7 +212,7 @@ std::string shivering(const Block& block, std::size_t cycles) {
   const Mesh mesh = block.mesh();
   const auto middle = mesh.hexahedra.begin() + mesh.hexahedra.size() / 10;
   const auto worst = [&](double factor, std::size_t layers) {
-    const Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+    const Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
     const Hex8 element{StiffnessHourglass{}, HughesWinget{}, Viscosity{}};
     const auto wild = [](const Eigen::Vector3d& x) {
       const double k = 1e6 * (x.x() + 1.7 * x.y() + 2.3 * x.z());

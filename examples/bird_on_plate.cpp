@@ -56,7 +56,7 @@ struct Record {
   Gauge gauge{0.3 * size.diameter};
   History history{"history.csv",
                   {{"time", "ms"},
-                   {"length over that at the begin", "1"},
+                   {"length over that at the start", "1"},
                    {"force of the plate", "kN"},
                    {"impulse of the plate", "N s"},
                    {"pressure at the centre", "MPa"},
@@ -70,7 +70,7 @@ struct Record {
   std::vector<double> times{}, forces{}, lengths{};
   std::size_t steps = 0, deleted = 0, elements = 0;
   double impulse = 0;
-  std::vector<std::string> notices{};
+  std::vector<std::string> warnings{};
 
   template <class Run>
   void watch(const Run& run) {
@@ -86,7 +86,7 @@ struct Record {
     double tail = 0;
     for (const Index i : rear) tail += run.nodes().x(i).z() / static_cast<double>(rear.size());
     if (times.empty()) start = tail;
-    const double t = run.time(), J = 4 * run.template thing<4>().impulse().z();
+    const double t = run.time(), J = 4 * run.template item<4>().impulse().z();
     const double expected = 1 - speed * t / size.length, length = 1 - (start - tail) / size.length;
     if (t <= 0.42 * squash_time) lag = std::max(lag, std::abs(length - expected) / expected);
     times.push_back(t), lengths.push_back(length);
@@ -144,7 +144,7 @@ void strike_plate(const E& element, const M& material, const Mesh& mesh, const C
                      RigidWall{{0, 0, 0}, {0, 0, 1}}},
                ExplicitOptions{.largest_step = edge / c}};
   record.elements = cells.size();
-  const auto& part = run.template thing<0>();
+  const auto& part = run.template part<0>();
   const auto pressure = [&] { return part.field([](const auto& s) { return (-1e3 / 3) * trace(s.stress); }); };
   VtuSeries film{"bird"};
   int pictured = 0;
@@ -161,13 +161,13 @@ void strike_plate(const E& element, const M& material, const Mesh& mesh, const C
               if (pictured++ == 1) draw(record, mesh, run.positions(), pressure(), part.alive(), run.time());
             }});
   record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  record.steps = run.steps(), record.deleted = part.deleted(), record.notices = run.notices();
-  record.impulse = 4 * run.template thing<4>().impulse().z();
+  record.steps = run.steps(), record.deleted = part.deleted(), record.warnings = run.warnings();
+  record.impulse = 4 * run.template item<4>().impulse().z();
 }
 
 void report(const Record& r, const std::string& what) {
   std::printf("\nBird on a rigid plate at %g m/s, %zu %s\n\n", r.speed, r.elements, what.c_str());
-  for (const std::string& notice : r.notices) std::printf("%s\n", notice.c_str());
+  for (const std::string& warning : r.warnings) std::printf("%s\n", warning.c_str());
   Results results;
   const double p = 1e3 * stagnation_pressure(r.speed), momentum = mass * r.speed;
   results.add({"impulse of the plate", r.impulse, "N s", momentum, 0.02 * momentum, "m v"});

@@ -52,7 +52,7 @@ void report(const examples::Transparency& canopy, const examples::Flight& flight
             double speed) {
   std::printf("\nCanopy, %zu plates, %s-strength bird at %.0f knots\n\n", canopy.mesh.quadrilaterals.size(),
               bird.c_str(), speed);
-  for (const std::string& notice : flight.notices) std::printf("%s\n", notice.c_str());
+  for (const std::string& warning : flight.warnings) std::printf("%s\n", warning.c_str());
   Results results;
   for (std::size_t k = 0; k < canopy.watched.size(); ++k)
     results.add({detail::joined({"largest displacement, ", canopy.watched[k].first}), flight.peaks[k], "in"});

@@ -65,7 +65,7 @@ struct Record {
   Energy energy{};
   std::vector<Eigen::Vector3d> positions{};
   std::vector<double> plastic_strain{};
-  std::vector<std::string> notices{};
+  std::vector<std::string> warnings{};
 
   static Index nearest(const Mesh& panel, double y) {
     const auto distance = [&](const Eigen::Vector3d& x) { return (x - Eigen::Vector3d(0, y, radius)).norm(); };
@@ -102,11 +102,11 @@ void blow(const Section& section, Record& record) {
                      InitialVelocityField{blast},                                        //
                      Symmetry{Axis::x, nodes_where(panel.nodes, on_plane(Axis::x, 0))},  //
                      Clamped{side},                                                      //
-                     Hinged{nodes_where(panel.nodes, on_plane(Axis::y, 0))},             //
-                     Hinged{nodes_where(panel.nodes, on_plane(Axis::y, length))}}};
+                     Pinned{nodes_where(panel.nodes, on_plane(Axis::y, 0))},             //
+                     Pinned{nodes_where(panel.nodes, on_plane(Axis::y, length))}}};
   record.initial = run.energy().kinetic;
-  record.notices = run.notices();
-  const auto& part = run.template thing<0>();
+  record.warnings = run.warnings();
+  const auto& part = run.template part<0>();
   const auto strain = [&](std::size_t layer) {
     return part.field(layer, [](const auto& point) { return point.equivalent_plastic_strain; });
   };
@@ -139,7 +139,7 @@ constexpr Reference references[] = {{16, "simpson3", 1.319, 0.926}, {16, "simpso
 
 void report(const Record& record, unsigned mesh, const std::string& rule, unsigned layers, const std::string& what) {
   std::printf("\nExplosively loaded panel, %zu plates, %s\n\n", record.panel.quadrilaterals.size(), what.c_str());
-  for (const std::string& notice : record.notices) std::printf("%s\n", notice.c_str());
+  for (const std::string& warning : record.warnings) std::printf("%s\n", warning.c_str());
   const auto reference = std::find_if(std::begin(references), std::end(references), [&](const Reference& r) {
     return layers == 1 && r.mesh == mesh && r.rule == rule;
   });

@@ -24,9 +24,9 @@ namespace {
 struct Pane {
   double face, core, length, softness;
 
-  Elastic glass() const { return {.reference_density = 2.5e-9, .youngs_modulus = 70000, .poissons_ratio = 0.22}; }
+  Elastic glass() const { return {.density = 2.5e-9, .youngs_modulus = 70000, .poissons_ratio = 0.22}; }
   Elastic interlayer() const {
-    return {.reference_density = 1.07e-9, .youngs_modulus = 70000 / softness, .poissons_ratio = 0.45};
+    return {.density = 1.07e-9, .youngs_modulus = 70000 / softness, .poissons_ratio = 0.45};
   }
   double p() const { return std::numbers::pi / length; }
 
@@ -39,7 +39,7 @@ struct Pane {
   // ... and without any assumption.
   Laminate exact() const {
     const auto layer = [](const Elastic& e, double h) {
-      return ElasticLayer{h, e.youngs_modulus, e.poissons_ratio, e.density()};
+      return ElasticLayer{h, e.youngs_modulus, e.poissons_ratio, e.density};
     };
     return Laminate({layer(glass(), face), layer(interlayer(), core), layer(glass(), face)});
   }
@@ -121,7 +121,7 @@ int main(int count, char** arguments) {
       stress.curve(power(decade), t, z, {.colour = decade});
       stress.points("", cured.tau, cured.z, {.marker = Marker::circle, .colour = decade});
     }
-    std::printf("\n%s\n", pane.section(EnergyShear{}).notice(pane.length).c_str());
+    std::printf("\n%s\n", pane.section(EnergyShear{}).warning(pane.length).c_str());
     results.write("results.csv");
     stress.write("stress.svg");
 

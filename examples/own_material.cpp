@@ -39,7 +39,7 @@ int main() {  // millimetres, milliseconds, kilograms; so kN and GPa
 
   Picture picture{{.title = "Voce copper at 80 us", .quantity = "plastic strain", .mirror = {Axis::x, Axis::y}}};
   picture.add(surface(bar), run.positions(),
-              run.thing<0>().field([](const auto& state) { return state.equivalent_plastic_strain; }));
+              run.part<0>().field([](const auto& state) { return state.equivalent_plastic_strain; }));
   picture.write("bar.svg");
 
   double length = 0;

@@ -102,7 +102,7 @@ void strike_wall(const Element& element, In<T> number, const Study& study, Recor
                      RigidWall{{0, 0, 0}, {0, 0, 1}, study.unilateral ? all_nodes(bar.nodes) : nobody}},
                ExplicitOptions{.step_factor = study.step_factor}, number};
   const auto plastic_strain = [&] {
-    return run.template thing<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
+    return run.template part<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
   };
 
   const std::clock_t begin = std::clock();

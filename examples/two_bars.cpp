@@ -97,13 +97,13 @@ int main(int count, char** arguments) {
     const auto approach = [](const Eigen::Vector3d& x) {
       return Eigen::Vector3d(x.x() < length + gap / 2 ? speed / 2 : -speed / 2, 0, 0);
     };
-    const Elastic steel{.reference_density = density, .youngs_modulus = youngs_modulus, .poissons_ratio = 0};
+    const Elastic steel{.density = density, .youngs_modulus = youngs_modulus, .poissons_ratio = 0};
 
     const auto meet = [&](const auto& normal_law) {
       Explicit run{Scene{bars.nodes, Part{Hex8{}, steel, bars.hexahedra}, InitialVelocityField{approach},
                          Contact{TwoWay{end_at(length), end_at(length + gap)}, normal_law}}};
       Record record;
-      run.until(1.5 * duration, [&] { record.watch(run, run.template thing<2>(), bar.nodes.size()); });
+      run.until(1.5 * duration, [&] { record.watch(run, run.template item<2>(), bar.nodes.size()); });
       report(record, run.momentum().x());
     };
     if (law == "kinematic")

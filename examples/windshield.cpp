@@ -48,7 +48,7 @@ const PlaneStress acrylic{Solid{acrylic_sheet.eos(),
                                 VonMises{.shear_modulus = acrylic_sheet.shear_modulus(), .yield_stress = 10.5e3},
                                 UltimateStress{10.5e3}}};
 /// A polyurethane, elastic; its modulus is an assumption, for it depends on temperature and rate more than on its make.
-const PlaneStress interlayer{Elastic{.reference_density = 1080 * examples::per_kg_m3,
+const PlaneStress interlayer{Elastic{.density = 1080 * examples::per_kg_m3,
                                      .youngs_modulus = interlayer_sheet.youngs_modulus,
                                      .poissons_ratio = interlayer_sheet.poissons_ratio}};
 
@@ -81,7 +81,7 @@ void report(const std::vector<std::pair<std::string, examples::Flight>>& flights
                .x = {.label = "time", .unit = "ms"},
                .y = {.label = "displacement", .unit = "in"}}};
   for (const auto& [model, flight] : flights) {
-    for (const std::string& notice : flight.notices) std::printf("%s: %s\n", model.c_str(), notice.c_str());
+    for (const std::string& warning : flight.warnings) std::printf("%s: %s\n", model.c_str(), warning.c_str());
     results.add({detail::joined({model, ": largest displacement"}), flight.peaks[0], "in"});
     for (std::size_t k = 0; k < flight.layers.size(); ++k) {
       const auto& [strain, failed] = flight.layers[k];
@@ -117,7 +117,7 @@ int main(int count, char** arguments) {
       const auto layered = laminate(EffectiveShear{.length = length / 2});
       fly("layered", layered, flesh);
       fly("plain_shear", laminate(FiveSixthsShear{}), flesh);
-      fly("monolithic", Homogeneous{polycarbonate, layered.density() / polycarbonate.density()}, flesh);
+      fly("monolithic", Homogeneous{polycarbonate, layered.density() / polycarbonate.density}, flesh);
     };
     if (bird == "low")
       all(examples::Bird::low_strength());

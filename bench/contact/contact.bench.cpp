@@ -50,7 +50,7 @@ void step(benchmark::State& bench, Index n, double apart, const Policies&... pol
   for (int i = 0; i < 5; ++i) run.step();
   for (auto _ : bench) run.step();
   per_node(bench, static_cast<double>(blocks.nodes.size()));
-  bench.counters["pairs"] = static_cast<double>(run.template thing<1>().pairs().size());
+  bench.counters["pairs"] = static_cast<double>(run.template item<1>().pairs().size());
 }
 
 /// The contact alone, of blocks that stay where they are.
@@ -61,9 +61,9 @@ void touch(benchmark::State& bench, Index n, double apart, const Policies&... po
   for (int i = 0; i < 5; ++i) run.step();
   Ledger ledger;
   const Step now{10, 0, run.dt(), run.dt()};
-  for (auto _ : bench) run.template thing<1>().touch(run.nodes(), now, ledger);
+  for (auto _ : bench) run.template item<1>().resolve_contact(run.nodes(), now, ledger);
   per_node(bench, static_cast<double>(blocks.nodes.size()));
-  bench.counters["pairs"] = static_cast<double>(run.template thing<1>().pairs().size());
+  bench.counters["pairs"] = static_cast<double>(run.template item<1>().pairs().size());
 }
 
 void search(benchmark::State& bench, Index n) {

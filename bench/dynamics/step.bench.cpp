@@ -13,9 +13,9 @@
 #include <strike/element/hex8.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/tetrahedra.hpp>
+#include <strike/section/layered.hpp>
 
 #include "../support/materials.hpp"
 #include "../support/squeezed_bar.hpp"

@@ -6,8 +6,8 @@
 #include <benchmark/benchmark.h>
 
 #include <strike/element/plate4.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/section/layered.hpp>
 
 #include "../support/materials.hpp"
 

@@ -51,8 +51,8 @@ void prices(const std::string& name, const M& section) {
 }
 
 const bool registered = [] {
-  const PlaneStress glass{Elastic{.reference_density = 2500, .youngs_modulus = 70e9, .poissons_ratio = .22}};
-  const PlaneStress soft{Elastic{.reference_density = 1070, .youngs_modulus = 70e6, .poissons_ratio = .45}};
+  const PlaneStress glass{Elastic{.density = 2500, .youngs_modulus = 70e9, .poissons_ratio = .22}};
+  const PlaneStress soft{Elastic{.density = 1070, .youngs_modulus = 70e6, .poissons_ratio = .45}};
   const PlaneStress aluminium{
       Solid{LinearEos{.density = 2700, .bulk_modulus = 71e9}, VonMises{.shear_modulus = 27e9, .yield_stress = 300e6}}};
   const Layer face{glass, 3e-3}, core{soft, .76e-3};

@@ -87,7 +87,7 @@ const bool registered = [] {
   const GruneisenEos gruneisen{.density = 8930, .sound_speed = 3940, .S1 = 1.489, .gamma = 1.99};
   const VonMises von_mises{.shear_modulus = 43.3e9, .yield_stress = 40e6, .hardening_modulus = 100e6};
 
-  const Elastic elastic{.reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = .35};
+  const Elastic elastic{.density = 8930, .youngs_modulus = 117e9, .poissons_ratio = .35};
   const RateVonMises rate_von_mises{.shear_modulus = 43.3e9,
                                     .yield_stress = 40e6,
                                     .hardening_modulus = 100e6,

@@ -10,9 +10,9 @@
 #include <strike/element/hex8.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/tetrahedra.hpp>
+#include <strike/section/layered.hpp>
 
 #include "../support/materials.hpp"
 #include "../support/squeezed_bar.hpp"
@@ -55,7 +55,7 @@ auto started(const Scene& scene, const ExplicitOptions& options = {}, const Poli
 /// What one element of a run stores.
 template <class Run>
 double bytes(const Run& run) {
-  using Part = std::decay_t<decltype(run.template thing<0>())>;
+  using Part = std::decay_t<decltype(run.template part<0>())>;
   return static_cast<double>(sizeof(typename Part::Block)) / static_cast<double>(Part::width);
 }
 

@@ -1,10 +1,10 @@
 #include <strike/contact/rigid_wall.hpp>
 #include <strike/dynamics/global_step.hpp>
-#include <strike/dynamics/openmp.hpp>
 #include <strike/load/body_force.hpp>
 #include <strike/load/initial_velocity.hpp>
 #include <strike/load/support.hpp>
 #include <strike/mesh/select.hpp>
+#include <strike/motion/openmp.hpp>
 #include <strike/output/history.hpp>
 #include <strike/output/vtu.hpp>
 
@@ -44,7 +44,7 @@ Group outputs() {
               run->step();
               if (run->steps() % 100) return;
               const auto strain =
-                  run->thing<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
+                  run->part<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
               write_vtu("out/prices/bar.vtu", run->time(), bar, run->positions(), {}, {{"plastic strain", strain}});
             },
             bytes(*run)};

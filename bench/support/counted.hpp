@@ -26,8 +26,8 @@ class Counted {
 
   Counted() = default;
   template <class U>
-  requires std::is_arithmetic_v<U> Counted(U value)
-      : value_(static_cast<double>(value)) {}  // implicit: literals stand in formulas
+    requires std::is_arithmetic_v<U>
+  Counted(U value) : value_(static_cast<double>(value)) {}  // implicit: literals stand in formulas
 
   double operator[](std::size_t) const { return value_; }
   void set(std::size_t, double value) { value_ = value, constant_ = false; }

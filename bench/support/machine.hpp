@@ -34,8 +34,7 @@ double rate(Next next) {
       Numbers a[chains] = {Numbers(source + k)...};
       for (int i = 0; i < length; ++i) ((a[k] = next(a[k])), ...);
       sink = static_cast<double>((a[k] + ...)[0]);
-    }
-    (std::make_integer_sequence<int, chains>{});
+    }(std::make_integer_sequence<int, chains>{});
   });
   return double(chains) * double(length) * double(Numbers::size()) / seconds;
 }

@@ -35,7 +35,7 @@ inline constexpr strike::JohnsonCook johnson_cook{.shear_modulus = 43.3e9,
                                                   .melting_temperature = 1356,
                                                   .heating = 0.9 / (8930 * 383.0)};
 
-inline constexpr strike::Elastic elastic{.reference_density = 8930, .youngs_modulus = 117e9, .poissons_ratio = 0.35};
+inline constexpr strike::Elastic elastic{.density = 8930, .youngs_modulus = 117e9, .poissons_ratio = 0.35};
 inline const strike::Fluid water{strike::CubicEos{.density = 1000, .C1 = 2.2e9, .C2 = 5.5e9}};
 inline const strike::Fluid air{strike::IdealGas{.density = 1.2, .gamma = 1.4, .initial_energy = 250e3}};
 

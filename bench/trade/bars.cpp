@@ -16,7 +16,7 @@ namespace {
 
 // Metres, seconds, kilograms. Without Poisson's effect the waves are plane.
 constexpr double length = 1, width = 0.01, gap = 1e-6, speed = 10;
-constexpr Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0};
+constexpr Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0};
 constexpr Index meshes[] = {50, 100, 200, 400};
 
 /// One bar's end on the other's, or each on each.
@@ -50,12 +50,12 @@ constexpr auto meet = [](const auto& ways, auto numbers, const Setting& setting)
                setting.options, numbers};
 
   // Contact lasts while the force is above half of that of plane waves.
-  const double c = std::sqrt(steel.youngs_modulus / steel.density()), duration = 2 * length / c;
-  const double half = 0.5 * steel.density() * c * speed / 2 * width * width;
+  const double c = std::sqrt(steel.youngs_modulus / steel.density), duration = 2 * length / c;
+  const double half = 0.5 * steel.density * c * speed / 2 * width * width;
   double begin = 0, last = 0;
   const double seconds = cpu_seconds([&] {
     run.until(1.5 * duration, [&] {
-      if (run.template thing<2>().force().norm() > half) (begin == 0 ? begin : last) = run.time();
+      if (run.template item<2>().force().norm() > half) (begin == 0 ? begin : last) = run.time();
     });
   });
   double momentum = 0, mass = 0;

@@ -59,7 +59,7 @@ constexpr auto swing = [](const auto& element, auto numbers, const Setting& sett
   const Index n = Index{1} << setting.mesh;
   const Mesh half = box({.lower = {0, -0.5, -0.5}, .size = {span / 2, 1, 1}, .cells = {4 * n, n, n}});
   const auto plane = [&](Axis axis, double at) { return nodes_where(half.nodes, on_plane(axis, at)); };
-  const Elastic material{.reference_density = 1, .youngs_modulus = 1, .poissons_ratio = poissons_ratio};
+  const Elastic material{.density = 1, .youngs_modulus = 1, .poissons_ratio = poissons_ratio};
   Explicit run{Scene{half.nodes,                                                                            //
                      Part{element, material, half.hexahedra},                                               //
                      Swing{wave},                                                                           //

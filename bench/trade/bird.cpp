@@ -37,8 +37,7 @@ constexpr auto splash = [](const auto& element, auto numbers, const Setting& set
       return bird.tetrahedra;
     else
       return bird.hexahedra;
-  }
-  ();
+  }();
   Explicit run{Scene{bird.nodes,                                                         //
                      Part{element, flesh, cells, Erosion{.volume = 0.1, .step = 1e-4}},  //
                      InitialVelocity{{0, 0, -speed}},                                    //

@@ -1,6 +1,6 @@
 #pragma once
 #include <strike/element/plate4.hpp>
-#include <strike/material/thickness_rule.hpp>
+#include <strike/section/thickness_rule.hpp>
 
 #include "problem.hpp"
 

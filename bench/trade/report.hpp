@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <strike/output/chart.hpp>
+#include <strike/draw/chart.hpp>
 #include <strike/output/file.hpp>
 #include <strike/text.hpp>
 

@@ -51,13 +51,13 @@ class Turn {
 constexpr auto turn = [](const auto& element, auto numbers, const Setting& setting) -> Outcome {
   const Index n = Index{2} << setting.mesh;
   const Mesh brick = box({.size = {edge, edge, edge}, .cells = {n, n, n}});
-  const Strained steel{{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3}};
+  const Strained steel{{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3}};
   ExplicitOptions options = setting.options;
   options.energy_tolerance = std::numeric_limits<double>::infinity();  // the motion is given, whatever the forces do
   Explicit run{Scene{brick.nodes, Part{element, steel, brick.hexahedra}, Turn{brick.nodes}}, options, numbers};
   const double seconds = cpu_seconds([&] { run.until(revolutions * 2 * std::numbers::pi / rate); });
 
-  const auto& part = run.template thing<0>();
+  const auto& part = run.template part<0>();
   const std::vector<double> drift = part.field([](const auto& state) {
     auto change = state.stress;
     change.xx -= locked_in;

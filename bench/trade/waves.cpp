@@ -66,7 +66,7 @@ constexpr auto strike_wall = [](const auto& element, auto numbers, const Setting
                setting.options, numbers};
   const double seconds = cpu_seconds([&] { run.until(end); });
 
-  const auto& part = run.template thing<0>();
+  const auto& part = run.template part<0>();
   const std::vector<double> stress = part.field([](const auto& state) { return -state.stress.xx; });
   double deviation = 0, whole = 0;
   for (std::size_t e = 0; e < stress.size(); ++e) {

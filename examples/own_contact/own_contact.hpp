@@ -14,8 +14,8 @@ struct Restitution {
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
     for (ContactPair& pair : pairs) {
       const double approach = pair.normal.dot(pair.velocity(nodes));
-      if (!(pair.gap + step.dt * approach < 0) || !(approach < 0) || !(pair.yielding > 0)) continue;
-      pair.push(nodes, -(1 + coefficient) * approach / pair.yielding);
+      if (!(pair.gap + step.dt * approach < 0) || !(approach < 0) || !(pair.inverse_effective_mass > 0)) continue;
+      pair.push(nodes, -(1 + coefficient) * approach / pair.inverse_effective_mass);
     }
     return 0;  // no stiffness: the step may stay as it is
   }

@@ -16,7 +16,7 @@ using namespace strike;
 namespace {
 
 // Millimetres, milliseconds, kilograms; so kN and GPa.
-const Wire steel{.reference_density = 7.85e-6, .youngs_modulus = 200, .yield_stress = 1, .initial_stress = 0.5};
+const Wire steel{.density = 7.85e-6, .youngs_modulus = 200, .yield_stress = 1, .initial_stress = 0.5};
 constexpr double length = 1000;
 constexpr std::size_t count = 50;
 
@@ -37,7 +37,7 @@ Swing swing() {
   const InitialVelocityField struck{[](const Eigen::Vector3d& x) -> Eigen::Vector3d {
     return {0, 0.1 * std::sin(std::numbers::pi * x.x() / length), 0};
   }};
-  Explicit run{Scene{nodes, Part{Truss{.area = 1}, steel, bars}, struck, Hinged{{0, count}}}};
+  Explicit run{Scene{nodes, Part{Truss{.area = 1}, steel, bars}, struck, Pinned{{0, count}}}};
 
   std::vector<double> crossings, t{0}, y{0};
   while (crossings.size() < 2) {
@@ -54,7 +54,7 @@ Swing swing() {
 int main(int argument_count, char** arguments) {
   return examples::run(argument_count, arguments, [](examples::Options& options) {
     options.check();
-    const double exact = 2 * length * std::sqrt(steel.reference_density / steel.initial_stress);
+    const double exact = 2 * length * std::sqrt(steel.density / steel.initial_stress);
     const auto [time, deflection, found] = swing();
     std::printf("period of the string   %.3f ms\n", found);
     std::printf("2 L sqrt(rho/sigma)    %.3f ms\n", exact);

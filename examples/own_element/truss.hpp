@@ -22,7 +22,7 @@ struct AxialKinematics {
 
 /// A wire that yields, with the stress that it has at rest.
 struct Wire {
-  double reference_density, youngs_modulus, yield_stress, initial_stress = 0;
+  double density, youngs_modulus, yield_stress, initial_stress = 0;
 
   using Kinematics = AxialKinematics;
 
@@ -30,8 +30,6 @@ struct Wire {
   struct State {
     T stress{};
   };
-
-  double density() const { return reference_density; }
 
   template <class T>
   void begin(State<T>& state) const {
@@ -75,7 +73,7 @@ struct Truss {
     if constexpr (requires { material.begin(state.material); }) material.begin(state.material);
     const Vector3<T> d = column(x, 1) - column(x, 0);
     state.volume = area * sqrt(dot(d, d));
-    return 0.5 * material.density() * state.volume;
+    return 0.5 * density_of(material) * state.volume;
   }
 
   template <class M, class T>
@@ -95,7 +93,7 @@ struct Truss {
     set_column<T>(response.force, 0, -f), set_column<T>(response.force, 1, f);
     response.volume = state.volume;
     response.critical_rate =
-        sqrt(material.moduli(state.material, rate).wave() / material.density()) * per_length;  // c/l
+        sqrt(material.moduli(state.material, rate).wave() / density_of(material)) * per_length;  // c/l
     response.internal_work = state.volume * (0.5 * dt) * (before + sigma) * rate.stretching;
     response.hourglass_work = response.bulk_viscosity_work = T(0.0);
     return response;

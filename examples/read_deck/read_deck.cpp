@@ -12,7 +12,7 @@ using namespace strike;
 
 int main() {  // the deck is in millimetres, milliseconds, kilograms
   const DynaDeck deck = read_dyna("../../examples/read_deck/taylor_bar.k");
-  for (const std::string& notice : deck.notices) std::printf("%s\n", notice.c_str());
+  for (const std::string& warning : deck.warnings) std::printf("%s\n", warning.c_str());
 
   const PlasticMaterial& copper = deck.material<PlasticMaterial>("bar");
   const PartCells bar = deck.part("bar");

@@ -99,7 +99,7 @@ struct Flight {
   std::vector<LayerState> layers;  ///< at the end
   double energy_error = 0, impulse = 0, impulse_error = 0, deepest = 0, seconds = 0;
   std::size_t steps = 0, passed = 0;
-  std::vector<std::string> notices;
+  std::vector<std::string> warnings;
 };
 
 /// What every strike must keep to.
@@ -142,9 +142,9 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
             Part{Plate4{}, section, mesh.quadrilaterals},                                                            //
             Part{Tet4{}, flesh, mesh.tetrahedra, Erosion{.step = 2e-7}}, InitialVelocity{{speed, 0, 0}, both.bird},  //
             Clamped{target.edge}, Contact{NodeToSurface{both.bird, plate_surface(mesh.quadrilaterals, h, 0)}}}};
-  const auto& panel = run.template thing<0>();
-  const auto& bird = run.template thing<1>();
-  const auto& contact = run.template thing<4>();
+  const auto& panel = run.template part<0>();
+  const auto& bird = run.template item<1>();
+  const auto& contact = run.template item<4>();
 
   Flight flight;
   flight.displacements.resize(target.watched.size()), flight.peaks.resize(target.watched.size());
@@ -224,7 +224,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
             film.write(run.time(), left, run.positions(), {}, fields);
           }});
   flight.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  flight.steps = run.steps(), flight.notices = run.notices();
+  flight.steps = run.steps(), flight.warnings = run.warnings();
   flight.impulse = contact.impulse().norm();
   flight.impulse_error = (momentum() - before - contact.impulse()).norm() / before.norm();
   for (std::size_t k = 0; k < section.layers(); ++k) {

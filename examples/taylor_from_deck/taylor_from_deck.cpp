@@ -35,7 +35,7 @@ Shape struck(const Mesh& bar) {
                      Symmetry{Axis::x, nodes_where(bar.nodes, on_plane(Axis::x, 0))},
                      Symmetry{Axis::y, nodes_where(bar.nodes, on_plane(Axis::y, 0))}, RigidWall{{0, 0, 0}, {0, 0, 1}}}};
   run.until(end);
-  const auto strains = run.thing<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
+  const auto strains = run.part<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
   Shape shape{0, 0, *std::max_element(strains.begin(), strains.end())};
   for (const Eigen::Vector3d& x : run.positions()) {
     shape.length = std::max(shape.length, x.z());
@@ -57,7 +57,7 @@ Mesh built_in(const Mesh& bar) {
 
 void compare(const std::string& path, Results& results) {
   const Deck deck = read_mesh(path);
-  for (const std::string& notice : deck.notices) std::printf("%s: %s\n", path.c_str(), notice.c_str());
+  for (const std::string& warning : deck.warnings) std::printf("%s: %s\n", path.c_str(), warning.c_str());
   const Mesh own = built_in(deck.mesh);
   const Shape theirs = struck(deck.mesh), ours = struck(own);
   const std::string name = path.substr(path.rfind('/') + 1);

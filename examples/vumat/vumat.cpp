@@ -43,7 +43,7 @@ Foot foot(const auto& material, auto plastic_strain) {
             .strain = 0,
             .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
   for (const auto& x : run.positions()) foot.radius = std::max(foot.radius, x.x());
-  for (const double e : run.template thing<0>().field(plastic_strain)) foot.strain = std::max(foot.strain, e);
+  for (const double e : run.template part<0>().field(plastic_strain)) foot.strain = std::max(foot.strain, e);
   return foot;
 }
 

@@ -1,8 +1,8 @@
 // The plate, 10 mm square and 1 mm thick, in one layer of copper.
 #include <strike/element/plate4.hpp>
 #include <strike/material/elastic.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/section/layered.hpp>
 
 #include "studies.hpp"
 

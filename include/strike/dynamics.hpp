@@ -1,13 +1,8 @@
 #pragma once
-#include <strike/dynamics/clock.hpp>
 #include <strike/dynamics/every.hpp>
-#include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/explicit.hpp>
-#include <strike/dynamics/gather.hpp>
 #include <strike/dynamics/global_step.hpp>
-#include <strike/dynamics/ledger.hpp>
 #include <strike/dynamics/method.hpp>
-#include <strike/dynamics/openmp.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/dynamics/scene.hpp>

@@ -13,7 +13,6 @@
 #include <strike/material/failure/tuler_butcher.hpp>
 #include <strike/material/fluid.hpp>
 #include <strike/material/kinematics.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/material.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/point_values.hpp>
@@ -29,7 +28,5 @@
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/strength/zerilli_armstrong.hpp>
-#include <strike/material/thickness_rule.hpp>
-#include <strike/material/transverse_shear.hpp>
 #include <strike/material/vumat.hpp>
 #include <strike/material/zero_normal_stress.hpp>

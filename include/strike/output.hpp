@@ -1,11 +1,8 @@
 #pragma once
 #include <strike/output/archive.hpp>
-#include <strike/output/chart.hpp>
 #include <strike/output/checkpoint.hpp>
-#include <strike/output/colour.hpp>
 #include <strike/output/field.hpp>
 #include <strike/output/history.hpp>
-#include <strike/output/picture.hpp>
 #include <strike/output/progress.hpp>
 #include <strike/output/results.hpp>
 #include <strike/output/units.hpp>

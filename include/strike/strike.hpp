@@ -1,11 +1,14 @@
 #pragma once
 #include <strike/contact.hpp>
+#include <strike/draw.hpp>
 #include <strike/dynamics.hpp>
 #include <strike/element.hpp>
 #include <strike/load.hpp>
 #include <strike/material.hpp>
 #include <strike/mesh.hpp>
+#include <strike/motion.hpp>
 #include <strike/output.hpp>
 #include <strike/scalar.hpp>
+#include <strike/section.hpp>
 #include <strike/tensor.hpp>
 #include <strike/version.hpp>

@@ -31,7 +31,7 @@ struct Tetrahedron {
   template <class M, class T>
   T begin(State<M, T>& state, const M& material, const Nodal<T, 4>& x) const {
     state.initial_volume = Gradient<T>(x).volume;
-    return 0.25 * material.density() * state.initial_volume;
+    return 0.25 * density_of(material) * state.initial_volume;
   }
 
   template <class M, class T>
@@ -48,12 +48,12 @@ struct Tetrahedron {
 
     const Matrix3<T> bb = b.lazyProduct(b.transpose());
     const SymmetricTensor<T> S = T(0.5) * symmetric_part(bb);  // nodal masses of rho V/4, not rho V/8
-    const Stability<T> stability{trace(S), largest_eigenvalue(S), rate.relative_volume / material.density()};
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), rate.relative_volume / density_of(material)};
     Response<T, 4> response{sigma.matrix().lazyProduct(g.B), g.volume, T(0.0), work, T(0.0), T(0.0)};
     response.critical_rate =
         stability.vibration(material, material.moduli(state.material, rate), T(0.0)).critical_rate();
     if constexpr (requires { material.intact(state.material); })
-      silence(material.intact(state.material) > 0.0, response);
+      zero_if_failed(material.intact(state.material) > 0.0, response);
     return response;
   }
 

@@ -356,8 +356,9 @@ void bears_extremes(const M& material) {
 
 /// All laws.
 template <class M>
-requires(SolidMaterial<M> || PlaneMaterial<M>) void conforms(const M& material, const Drive& drive = {}) {
-  detail::holds(material.density() > 0, "it has a density", 0);
+  requires(SolidMaterial<M> || PlaneMaterial<M>)
+void conforms(const M& material, const Drive& drive = {}) {
+  detail::holds(density_of(material) > 0, "it has a density", 0);
   rests(material, drive);
   lanes_agree<Pack<double, 4>>(material, drive);
   lanes_agree<Pack<double, 8>>(material, drive);

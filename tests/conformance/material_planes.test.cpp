@@ -14,7 +14,7 @@ namespace {
 
 constexpr CubicEos cubic{.density = density, .C1 = 130e9, .C2 = 120e9, .C3 = 100e9};
 
-constexpr Elastic elastic{.reference_density = density, .youngs_modulus = 117e9, .poissons_ratio = .35};
+constexpr Elastic elastic{.density = density, .youngs_modulus = 117e9, .poissons_ratio = .35};
 constexpr VonMises perfect{.shear_modulus = G, .yield_stress = Y};
 constexpr VonMises softening{.shear_modulus = G, .yield_stress = Y, .hardening_modulus = -1e9};
 constexpr Voce voce{G, 100e6, 200e6, 10};

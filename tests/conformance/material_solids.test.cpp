@@ -9,7 +9,7 @@ using namespace strike::testing::laws;
 using testing::conforms;
 
 TEST_CASE("conformance: Elastic") {
-  conforms(Elastic{.reference_density = density, .youngs_modulus = 117e9, .poissons_ratio = .35});
+  conforms(Elastic{.density = density, .youngs_modulus = 117e9, .poissons_ratio = .35});
 }
 TEST_CASE("conformance: Solid of LinearEos and ElasticStrength") {
   conforms(Solid{linear, ElasticStrength{.shear_modulus = G}});

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <strike/element/plate4.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/section/layered.hpp>
 
 #include "conformance/element.hpp"
 

@@ -7,8 +7,8 @@ using testing::conforms;
 
 namespace {
 
-const PlaneStress glass{Elastic{.reference_density = 2500, .youngs_modulus = 70e9, .poissons_ratio = .22}};
-const PlaneStress interlayer{Elastic{.reference_density = 1070, .youngs_modulus = 70e6, .poissons_ratio = .45}};
+const PlaneStress glass{Elastic{.density = 2500, .youngs_modulus = 70e9, .poissons_ratio = .22}};
+const PlaneStress interlayer{Elastic{.density = 1070, .youngs_modulus = 70e6, .poissons_ratio = .45}};
 const PlaneStress aluminium{Solid{LinearEos{.density = 2700, .bulk_modulus = 71e9},
                                   VonMises{.shear_modulus = 27e9, .yield_stress = 300e6, .hardening_modulus = 1e9}}};
 const PlaneStress brittle{Solid{LinearEos{.density = 2500, .bulk_modulus = 42e9},

@@ -23,9 +23,9 @@ TEST_CASE("two equal bars exchange their velocities after 2 L/c under rho c v/2"
     Meeting meeting{};
     double impulse = 0;
     run.until(2.6 * L / c, [&] {
-      const double stress = -run.template thing<1>().force().x() / (0.5 * rho * c * v * area);
+      const double stress = -run.template item<1>().force().x() / (0.5 * rho * c * v * area);
       if (stress > 0.5) meeting.time = run.time() * c / (2 * L);
-      impulse = -run.template thing<1>().impulse().x();
+      impulse = -run.template item<1>().impulse().x();
       if (run.time() < 2.5 * L / c) meeting.drift = std::max(meeting.drift, std::abs(run.energy().error()));
     });
     meeting.stress = impulse / (0.5 * rho * c * v * area * 2 * L / c);

@@ -17,7 +17,7 @@ TEST_CASE("what breaks through a deleted element meets the one behind it") {
   // A hard cube of 0.5 falls on two of 1, of which the upper one, squeezed between both, fails first.
   const Solid brittle{LinearEos{.density = 1, .bulk_modulus = 10}, VonMises{.shear_modulus = 4, .yield_stress = 0.2},
                       UltimateStress{0.199}};
-  const Elastic hard{.reference_density = 8, .youngs_modulus = 100, .poissons_ratio = 0.3};
+  const Elastic hard{.density = 8, .youngs_modulus = 100, .poissons_ratio = 0.3};
   Mesh scene = box({.size = {1, 1, 2}, .cells = {1, 1, 2}});
   const Mesh cube = box({.lower = {0.25, 0.25, 2.01}, .size = {0.5, 0.5, 0.5}});
   const Index first = append(scene, cube);
@@ -30,8 +30,8 @@ TEST_CASE("what breaks through a deleted element meets the one behind it") {
                      InitialVelocity{{0, 0, -0.4}, falling}, Clamped{nodes_where(scene.nodes, on_plane(Axis::z, 0))},
                      Contact{NodeToSurface{falling, solid_surface(column, 0)}}},
                ExplicitOptions{.energy_tolerance = 0.1}, in<double>};
-  const auto& block = run.thing<0>();
-  const auto& contact = run.thing<4>();
+  const auto& block = run.part<0>();
+  const auto& contact = run.item<4>();
   const auto lowest = [&] {
     double z = 10;
     for (const Index i : falling) z = std::min(z, run.nodes().x(i).z());

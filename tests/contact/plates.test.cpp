@@ -8,11 +8,11 @@
 #include <strike/load/initial_velocity.hpp>
 #include <strike/material/eos/cubic.hpp>
 #include <strike/material/fluid.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/sheet.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/section/layered.hpp>
 
 #include "problems/column.hpp"
 #include "support/catch.hpp"
@@ -43,12 +43,12 @@ void strike_sheet(double side, double depth, const Policies&... policies) {
   double deepest = 0, drift = 0;
   const double end = 1.5e-3;
   run.until(end, [&] {
-    deepest = std::max(deepest, run.template thing<2>().penetration());
+    deepest = std::max(deepest, run.template item<2>().penetration());
     if (run.time() < 0.95 * end) drift = std::max(drift, std::abs(run.energy().error()));
   });
   CHECK(deepest < depth * thickness);
   CHECK(drift < 0.01);
-  CHECK(side * run.template thing<2>().impulse().z() > 0.5 * 950 * 0.1 * 0.1 * length * v);
+  CHECK(side * run.template item<2>().impulse().z() > 0.5 * 950 * 0.1 * 0.1 * length * v);
   CHECK(run.energy().contact > -1e-6 * run.energy().initial);
   int through = 0;
   std::vector<Eigen::Vector3d> sheet_now = run.positions();

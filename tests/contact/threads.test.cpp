@@ -1,9 +1,9 @@
 #include <strike/contact/contact.hpp>
-#include <strike/dynamics/openmp.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/load/initial_velocity.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/motion/openmp.hpp>
 
 #include "problems/column.hpp"
 #include "support/catch.hpp"
@@ -26,7 +26,7 @@ TEST_CASE("contact gives the same bits for any number of threads") {
         {},
         execution};
     for (int n = 0; n < 400; ++n) run.step();
-    CHECK(run.template thing<1>().impulse().z() > 10);
+    CHECK(run.template item<1>().impulse().z() > 10);
     return run.positions();
   };
   const auto serial = after(Serial{});

@@ -69,7 +69,7 @@ TEST_CASE("tied meshes that do not fit move as one, and keep momentum and energy
     }
     CHECK((run.nodes().x(stack.nodes[k]) - x).norm() < 1e-10);
   }
-  CHECK(run.template thing<1>().sweeps() < 40);
+  CHECK(run.template item<1>().sweeps() < 40);
 }
 
 TEST_CASE("a node that is not at the surface cannot be tied to it") {

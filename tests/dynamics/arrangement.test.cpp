@@ -55,7 +55,7 @@ const Solid copper{LinearEos{.density = 8.93e-6, .bulk_modulus = 130},
 
 template <class... More>
 auto scene_of(const Numbered& numbered, More... more) {
-  const Elastic rubber{.reference_density = 1e-6, .youngs_modulus = 1, .poissons_ratio = 0.4};
+  const Elastic rubber{.density = 1e-6, .youngs_modulus = 1, .poissons_ratio = 0.4};
   return Scene{numbered.mesh.nodes,
                Part{Hex8{}, copper, numbered.metal},
                Part{Hex8{StiffnessHourglass{}}, rubber, numbered.rubber},
@@ -120,7 +120,7 @@ TEST_CASE("elements are told by the numbers that they were given") {
     Explicit run{Scene{n.mesh.nodes, Part{Hex8{}, Elastic{1, 1}, n.mesh.hexahedra}}};
     run.step();
     return std::pair{run.stable_step().element,
-                     run.template thing<0>().field([](const auto& s) { return s.stress.xx; })};
+                     run.template part<0>().field([](const auto& s) { return s.stress.xx; })};
   };
   const auto [slowest, stress] = middles(natural);
   const auto [slowest_numbered, stress_numbered] = middles(numbered);

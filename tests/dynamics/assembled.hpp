@@ -33,7 +33,7 @@ struct Unyielding : M {
 /// of its first part, whose material answers elastically.
 template <class Run>
 auto vibration(Run& run) {
-  auto& part = run.template thing<0>();
+  auto& part = run.template part<0>();
   const auto& nodes = run.nodes();
   const auto& element = part.element();
   using E = std::decay_t<decltype(element)>;

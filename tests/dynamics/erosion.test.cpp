@@ -4,7 +4,6 @@
 
 #include <strike/dynamics/explicit.hpp>
 #include <strike/dynamics/global_step.hpp>
-#include <strike/dynamics/openmp.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
@@ -14,7 +13,6 @@
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/fluid.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/von_mises.hpp>
@@ -22,6 +20,8 @@
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
 #include <strike/mesh/tetrahedra.hpp>
+#include <strike/motion/openmp.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 
@@ -35,9 +35,7 @@ constexpr VonMises strength{.shear_modulus = 0.4, .yield_stress = 0.02, .hardeni
 const Solid metal{eos, strength};
 
 template <class P>
-concept CountsDeleted = requires(const P part) {
-  part.deleted();
-};
+concept CountsDeleted = requires(const P part) { part.deleted(); };
 
 /// Keeps what it is told.
 struct Listener {
@@ -77,7 +75,7 @@ double total_mass(const Run& run) {
 
 template <class Run>
 void tears(Run& run) {
-  auto& part = run.template thing<0>();
+  auto& part = run.template part<0>();
   const double mass = total_mass(run);
   double worst = 0;
   run.until(20, [&] { worst = std::max(worst, std::abs(run.energy().error())); });
@@ -89,10 +87,10 @@ void tears(Run& run) {
   CHECK(run.energy().eroded > 0.01 * run.energy().initial);
   CHECK(run.energy().eroded < 0.9 * run.energy().initial);
   CHECK(total_mass(run) == mass);
-  CHECK_THAT(part.notice(), ContainsSubstring(std::to_string(part.deleted()) + " of " + std::to_string(part.size()) +
-                                              " elements of part 0 have been deleted."));
+  CHECK_THAT(part.warning(), ContainsSubstring(std::to_string(part.deleted()) + " of " + std::to_string(part.size()) +
+                                               " elements of part 0 have been deleted."));
   // Whoever listens was told of each deletion, and what is gone stays gone.
-  const auto& told = run.template thing<3>().told;
+  const auto& told = run.template item<3>().told;
   REQUIRE(!told.empty());
   CHECK(told.back().alive == alive);
   for (std::size_t k = 1; k < told.size(); ++k) {
@@ -106,8 +104,8 @@ void tears(Run& run) {
 TEST_CASE("erosion: a bar that is torn loses elements, and the balance has the energy that they held") {
   auto run = torn(Part{Hex8{}, metal, bar.hexahedra, Erosion{.strain = 0.5}});
   tears(run);
-  const auto strain = run.thing<0>().field([](const auto& s) { return s.equivalent_plastic_strain; });
-  const auto alive = run.thing<0>().alive();
+  const auto strain = run.part<0>().field([](const auto& s) { return s.equivalent_plastic_strain; });
+  const auto alive = run.part<0>().alive();
   for (std::size_t e = 0; e < alive.size(); ++e) CHECK(strain[e] <= 0.5);  // of what is gone, that before the end
 }
 
@@ -141,8 +139,8 @@ TEST_CASE("erosion: elements are deleted by their volume, their step, or as they
               Part{Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}}, Fluid{eos}, cube.hexahedra, erosion},
               InitialVelocity{{0, 0, -100}, nodes_where(cube.nodes, on_plane(Axis::z, 1))}},
         ExplicitOptions{.largest_step = 1e-4}};
-    while (run.thing<0>().deleted() == 0 && run.steps() < 1000) run.step();
-    REQUIRE(run.thing<0>().deleted() == 1);
+    while (run.part<0>().deleted() == 0 && run.steps() < 1000) run.step();
+    REQUIRE(run.part<0>().deleted() == 1);
     CHECK(std::abs(run.energy().error()) < 0.02);  // the last steps take it to a hundredth of its volume
     const double height = run.nodes().x(7).z() - run.nodes().x(0).z();
     const Eigen::Vector3d v = run.nodes().v(7);
@@ -158,7 +156,7 @@ TEST_CASE("erosion: elements are deleted by their volume, their step, or as they
   CHECK(crushed({}) <= 0);
 }
 
-TEST_CASE("erosion: a gas that leaves takes the energy that it had from the begin") {
+TEST_CASE("erosion: a gas that leaves takes the energy that it had from the start") {
   const Mesh cube = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
   const Fluid gas{IdealGas{.density = 1, .gamma = 1.4, .initial_energy = 2.5}};
   Explicit run{Scene{cube.nodes, Part{Hex8{}, gas, cube.hexahedra, Erosion{.volume = 2}}}, {.largest_step = 1e-6}};

@@ -8,7 +8,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-const Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e6};
+const Elastic rubber{.density = 1000, .youngs_modulus = 1e6};
 Mesh cube() { return box({.size = {1, 1, 1}, .cells = {1, 1, 1}}); }
 
 template <class F>
@@ -63,7 +63,7 @@ TEST_CASE("a step below the smallest is refused with the element that asks for i
 
 TEST_CASE("constants from which no wave follows are refused") {
   const Mesh mesh = cube();
-  const Elastic nothing{.reference_density = 1000, .youngs_modulus = -1};
+  const Elastic nothing{.density = 1000, .youngs_modulus = -1};
   CHECK_THAT(
       told([&] {
         Explicit{Scene{mesh.nodes, Part{Hex8{}, nothing, mesh.hexahedra}}, {}, in<double>};
@@ -82,11 +82,11 @@ TEST_CASE("float far from the origin is refused, double is not") {  // D21: spac
 
 TEST_CASE("softening is noticed") {
   const Mesh mesh = cube();
-  const auto notices = [&](double hardening) {
+  const auto warnings = [&](double hardening) {
     const Solid metal{LinearEos{.density = 7850, .bulk_modulus = 160e9},
                       VonMises{.shear_modulus = 80e9, .yield_stress = 4e8, .hardening_modulus = hardening}};
-    return Explicit{Scene{mesh.nodes, Part{Hex8{}, metal, mesh.hexahedra}}, {}, in<double>}.notices().size();
+    return Explicit{Scene{mesh.nodes, Part{Hex8{}, metal, mesh.hexahedra}}, {}, in<double>}.warnings().size();
   };
-  CHECK(notices(0) == 0);
-  CHECK(notices(-1e9) == 1);
+  CHECK(warnings(0) == 0);
+  CHECK(warnings(-1e9) == 1);
 }

@@ -13,7 +13,7 @@ struct Ticks {
 };
 }  // namespace
 
-TEST_CASE("an Every acts at the begin and at the first step past each multiple of its interval") {
+TEST_CASE("an Every acts at the start and at the first step past each multiple of its interval") {
   std::vector<double> acted;
   Every every{1.0, [&](const Ticks& clock) { acted.push_back(clock.now); }};
   for (const double t : {0.0, 0.4, 0.8, 1.2, 1.6, 2.0, 5.5, 5.9, 6.0}) every(Ticks{t});

@@ -27,7 +27,7 @@ Mesh cube(Index n, double grading = 1, double distortion = 0) {
 template <class Run>
 double least_own_step(Run& run) {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& block : run.template thing<0>().blocks())
+  for (const auto& block : run.template part<0>().blocks())
     least = std::min(least, 1 / static_cast<double>(reduce_max(block.state.own_rate)));
   return least;
 }
@@ -208,7 +208,7 @@ TEST_CASE("the bound of the whole mesh does not mind parts, nor elements that fa
                      RigidWall{{0, 0, 0}, {0, 0, 1}}},
                ExplicitOptions{}, GlobalStep{}};
   run.until(2);
-  const auto intact = run.thing<0>().field([](const auto& state) { return state.intact; });
+  const auto intact = run.part<0>().field([](const auto& state) { return state.intact; });
   CHECK(*std::min_element(intact.begin(), intact.end()) == 0);
   CHECK(std::isfinite(run.energy().kinetic));
 }

@@ -18,7 +18,7 @@ TEST_CASE("mass scaling of one thin layer: the step, what was added, and the mea
     const double layer = std::round(x.z() / 0.85);
     x.z() = layer < 3 ? layer : layer - 0.75;
   }
-  const Elastic law{.reference_density = 2, .youngs_modulus = 8, .poissons_ratio = 0};
+  const Elastic law{.density = 2, .youngs_modulus = 8, .poissons_ratio = 0};
   const auto step_of_one = [&](double height) {
     const Mesh one = box({.size = {1, 1, height}, .cells = {1, 1, 1}});
     return Explicit{Scene{one.nodes, Part{Hex8{}, law, one.hexahedra}}, {}, in<double>}.stable_step().dt;
@@ -30,18 +30,18 @@ TEST_CASE("mass scaling of one thin layer: the step, what was added, and the mea
                in<double>};
   CHECK(run.stable_step().dt == Approx(target).epsilon(1e-12));
   const double mass = 2 * 4.25, added = 2 * 0.25 * (factor - 1);
-  CHECK(run.thing<0>().added_mass() == Approx(added).epsilon(1e-12));
+  CHECK(run.part<0>().added_mass() == Approx(added).epsilon(1e-12));
   CHECK(run.momentum().z() == Approx(3 * (mass + added)).epsilon(1e-12));
   CHECK(run.energy().kinetic == Approx(0.5 * 9 * (mass + added)).epsilon(1e-12));
-  CHECK(run.notices().at(0) == "Mass scaling has added " + detail::text(added) + " to part 0, " +
-                                   detail::text(100 * added / mass) + " % of its mass; most to element 2, which has " +
-                                   detail::text(factor) + " times its own.");
+  CHECK(run.warnings().at(0) == "Mass scaling has added " + detail::text(added) + " to part 0, " +
+                                    detail::text(100 * added / mass) + " % of its mass; most to element 2, which has " +
+                                    detail::text(factor) + " times its own.");
 }
 
 TEST_CASE("an element with scaled mass swings at its frequency over the root of the factor") {
   // Between two faces of half the mass m each, w = 2 c/a; central differences: sin(w_d dt/2) = w dt/2.
   const Mesh cube = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
-  const Elastic law{.reference_density = 2, .youngs_modulus = 8, .poissons_ratio = 0};
+  const Elastic law{.density = 2, .youngs_modulus = 8, .poissons_ratio = 0};
   const Hex8<ViscousHourglass, HughesWinget, NoBulkViscosity> element{};
   const double own = Explicit{Scene{cube.nodes, Part{element, law, cube.hexahedra}}, {}, in<double>}.stable_step().dt;
   const double ratio = 5, w = 2 * 2 / ratio, v = 1e-7;

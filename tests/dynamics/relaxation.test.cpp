@@ -7,9 +7,9 @@
 #include <strike/load/body_force.hpp>
 #include <strike/load/nodal_force.hpp>
 #include <strike/load/support.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/sheet.hpp>
+#include <strike/section/layered.hpp>
 
 #include "problems/column.hpp"
 #include "support/catch.hpp"
@@ -18,7 +18,7 @@ using namespace strike;
 
 namespace {
 
-constexpr Elastic soft{.reference_density = 1000, .youngs_modulus = 1e7, .poissons_ratio = 0};
+constexpr Elastic soft{.density = 1000, .youngs_modulus = 1e7, .poissons_ratio = 0};
 constexpr double L = 2, g = 10;
 constexpr Index cells = 20;
 
@@ -27,7 +27,7 @@ template <class... Policies>
 auto standing(Policies... policies) {
   const Mesh mesh = column(cells, L, L / cells);
   return Explicit{
-      Scene{mesh.nodes, Part{Hex8{}, soft, mesh.hexahedra}, Hinged{section(mesh, 0)}, BodyForce{{-g, 0, 0}}},
+      Scene{mesh.nodes, Part{Hex8{}, soft, mesh.hexahedra}, Pinned{section(mesh, 0)}, BodyForce{{-g, 0, 0}}},
       {},
       policies...};
 }
@@ -44,7 +44,7 @@ TEST_CASE("a column under its weight relaxes to u = -rho g L^2/(2 E)") {
   CHECK(worst < 1e-3);  // with what the damping took, at any time
 
   const double weight = 1000 * g;
-  const auto stress = run.thing<0>().field([](const auto& s) { return s.stress.xx; });
+  const auto stress = run.part<0>().field([](const auto& s) { return s.stress.xx; });
   for (std::size_t e = 0; e < cells; ++e)
     CHECK(stress[e] == Approx(-weight * L * (1 - (static_cast<double>(e) + 0.5) / cells)).margin(1e-3 * weight * L));
   CHECK(L - run.nodes().x(cells).x() == Approx(weight * L * L / 2 / 1e7).epsilon(2e-3));  // strains of 2e-3

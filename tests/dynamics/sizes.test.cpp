@@ -36,21 +36,13 @@ static_assert(sizeof(Fluid<CubicEos, Newtonian>::State<double>) == 1 * sizeof(do
 // No plastic strain without plasticity, no temperature without a law that asks for it, no energy without an equation of
 // state that does, no flag without a failure; and NoFailure is what there is without one.
 template <class M>
-concept HasPlasticStrain = requires(typename M::template State<double> state) {
-  state.equivalent_plastic_strain;
-};
+concept HasPlasticStrain = requires(typename M::template State<double> state) { state.equivalent_plastic_strain; };
 template <class M>
-concept HasTemperature = requires(typename M::template State<double> state) {
-  state.temperature_rise;
-};
+concept HasTemperature = requires(typename M::template State<double> state) { state.temperature_rise; };
 template <class M>
-concept HasEnergy = requires(typename M::template State<double> state) {
-  state.internal_energy;
-};
+concept HasEnergy = requires(typename M::template State<double> state) { state.internal_energy; };
 template <class M>
-concept HasFlag = requires(typename M::template State<double> state) {
-  state.intact;
-};
+concept HasFlag = requires(typename M::template State<double> state) { state.intact; };
 static_assert(!HasPlasticStrain<Elastic> && !HasPlasticStrain<Solid<LinearEos, ElasticStrength>>);
 static_assert(!HasTemperature<Metal> && !HasTemperature<Solid<LinearEos, RateVonMises>>);
 static_assert(!HasEnergy<Elastic> && !HasEnergy<Metal> && !HasEnergy<Liquid>);

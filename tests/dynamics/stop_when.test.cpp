@@ -6,7 +6,7 @@ using namespace strike;
 
 TEST_CASE("a run ends when its condition is met, at its end otherwise") {
   const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
-  const Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e6};
+  const Elastic rubber{.density = 1000, .youngs_modulus = 1e6};
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, rubber, mesh.hexahedra}, InitialVelocity{{1, 0, 0}}}, {}, in<double>};
   std::vector<double> times;
   run.until(1.0, StopWhen{[](const auto& r) { return r.steps() == 7; }}, [&] { times.push_back(run.time()); });

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include <strike/dynamics/explicit.hpp>
-#include <strike/dynamics/openmp.hpp>
 #include <strike/dynamics/stop_when.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/load/initial_velocity.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/motion/openmp.hpp>
 #include <strike/output/checkpoint.hpp>
 
 #include "output/scratch.hpp"
@@ -56,9 +56,9 @@ struct GradedBar {
     const Hex8 element{NoHourglass{}, HughesWinget{}, viscosity};
     const auto moving = nodes_where(bar.nodes, [&](const auto& x) { return x[0] < 0.25 * c1 * fine; });
     return Explicit{Scene{bar.nodes,
-                          Part{element, Asked{{.reference_density = Z1 / c1, .youngs_modulus = Z1 * c1}},
+                          Part{element, Asked{{.density = Z1 / c1, .youngs_modulus = Z1 * c1}},
                                Cells<8>(bar.hexahedra.begin(), middle)},
-                          Part{element, Asked{{.reference_density = Z2 / c2, .youngs_modulus = Z2 * c2}},
+                          Part{element, Asked{{.density = Z2 / c2, .youngs_modulus = Z2 * c2}},
                                Cells<8>(middle, bar.hexahedra.end())},
                           InitialVelocity{{v, 0, 0}, moving}},
                     options, in<double>, policies...};
@@ -85,8 +85,8 @@ TEST_CASE("subcycling: a part is advanced once in as many steps as its own allow
   CHECK(asked(1.9, {}) == 40 * steps);
 
   const auto run = GradedBar{.fine = 10, .coarse = 30, .ratio = 4}.run({}, Subcycling{});
-  CHECK(run.notices() == std::vector<std::string>{"part 1 is advanced once in 4 steps, but for 2 of its 30 elements, "
-                                                  "which are near faster ones."});
+  CHECK(run.warnings() == std::vector<std::string>{"part 1 is advanced once in 4 steps, but for 2 of its 30 elements, "
+                                                   "which are near faster ones."});
 }
 
 TEST_CASE("subcycling: where all parts allow the same step, not a bit of the run changes") {
@@ -107,7 +107,7 @@ TEST_CASE("subcycling: a wave passes from a fast part into a slow one as 2 Z2/(Z
   const double s = -bar.Z1 * bar.v / 2 * 2 * bar.Z2 / (bar.Z1 + bar.Z2);
   const auto plateau = [&](auto run) {
     run.until(290);  // the pulse fills the coarse elements 10 to 35
-    const auto stress = run.template thing<1>().field([](const auto& state) { return state.stress.xx; });
+    const auto stress = run.template item<1>().field([](const auto& state) { return state.stress.xx; });
     return std::accumulate(stress.begin() + 16, stress.begin() + 30, 0.0) / 14;
   };
   CHECK(plateau(bar.run({})) == Approx(s).epsilon(5e-3));                // ripples, seen: 3.7e-3

@@ -13,7 +13,7 @@ using namespace strike;
 
 namespace {
 
-constexpr Elastic law{.reference_density = 2, .youngs_modulus = 8, .poissons_ratio = 0};  // c = 2
+constexpr Elastic law{.density = 2, .youngs_modulus = 8, .poissons_ratio = 0};  // c = 2
 
 /// The critical step without damping, from the exact derivatives of the forces.
 template <class E, class M>

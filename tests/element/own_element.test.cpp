@@ -29,10 +29,10 @@ Nodal<double, 2> ends() {
 
 TEST_CASE("conformance: an element with a pair of measure and stress of its own") {
   const testing::Shapes<2> shapes(1, ends());
-  const Wire metal{.reference_density = 1, .youngs_modulus = 1, .yield_stress = 4e-3};
+  const Wire metal{.density = 1, .youngs_modulus = 1, .yield_stress = 4e-3};
   testing::rigid_motions_give_no_force(truss, metal, shapes, testing::FiniteRotations::exact);
   testing::forces_and_moments_sum_to_zero(truss, metal, shapes);
-  testing::creates_no_energy(truss, Wire{.reference_density = 1, .youngs_modulus = 1, .yield_stress = 0}, shapes);
+  testing::creates_no_energy(truss, Wire{.density = 1, .youngs_modulus = 1, .yield_stress = 0}, shapes);
   testing::books_its_work(truss, metal, shapes);
   testing::lanes_agree<Pack<double, 8>>(truss, metal, shapes);
 
@@ -49,12 +49,12 @@ TEST_CASE("a wave in a chain of one's own elements, at the step h/c, is exact at
   Cells<2> bars;
   for (Index i = 0; i < n; ++i) nodes.emplace_back(0.5 * (i + 1), 0, 0), bars.push_back({i, i + 1});
   const double c = 2, v = 1e-6;  // E = 4: rho c v is the stress behind the front
-  Explicit run{Scene{nodes, Part{truss, Wire{.reference_density = 1, .youngs_modulus = 4, .yield_stress = 1}, bars},
-                     InitialVelocity{{v, 0, 0}}, Hinged{{0}}},
+  Explicit run{Scene{nodes, Part{truss, Wire{.density = 1, .youngs_modulus = 4, .yield_stress = 1}, bars},
+                     InitialVelocity{{v, 0, 0}}, Pinned{{0}}},
                {.step_factor = 1}};
   for (Index step = 1; step <= n; ++step) {
     run.step();
-    const std::vector<double> stress = run.thing<0>().field([](const auto& state) { return state.stress; });
+    const std::vector<double> stress = run.part<0>().field([](const auto& state) { return state.stress; });
     for (Index e = 0; e < n; ++e) CHECK(std::abs(stress[e] / (c * v) - (e < step ? 1 : 0)) <= n * v);  // strains of v/c
   }
 }

@@ -77,8 +77,8 @@ TEST_CASE("Tet4: in a linear field all elements of a mesh have one stress, and i
         {},
         in<double>};
     run.step();
-    const auto one = run.template thing<0>().blocks()[0].state.material.stress;
-    for (const auto& block : run.template thing<0>().blocks())
+    const auto one = run.template part<0>().blocks()[0].state.material.stress;
+    for (const auto& block : run.template part<0>().blocks())
       CHECK((block.state.material.stress - one).matrix().norm() <= 1e-12 * one.matrix().norm());
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
       if (const auto& x = mesh.nodes[i]; x.minCoeff() > 0.2 && x.maxCoeff() < 0.8)
@@ -112,7 +112,7 @@ TEST_CASE("Tet4: forces and moments of a mesh sum to zero, and the energy balanc
 // Neighbours make the mean of a volume stiff to no more than the elements would be alone (docs/theory.md), so the bound
 // of the elements is that of the mesh too: at 0.9 of it nothing grows, and the exact step is never below it.
 TEST_CASE("Tet4: the step of a free mesh is safe with the pressure of its nodes") {
-  const Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e9, .poissons_ratio = 0.4999};
+  const Elastic rubber{.density = 1000, .youngs_modulus = 1e9, .poissons_ratio = 0.4999};
   const Mesh mesh = free_tetrahedra::block(3, 0.25);
   const auto bounded = [&](const auto& element, double factor) {
     Explicit run{Scene{mesh.nodes, Part{element, rubber, mesh.tetrahedra}, free_tetrahedra::RandomVelocity{1e-6}},

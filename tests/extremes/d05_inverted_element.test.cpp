@@ -88,7 +88,7 @@ TEST_CASE("D5: where the material can fail the rest of the mesh runs on") {
   for (const Displacement u : {steady, jump}) {
     auto run = pushed(Solid{eos, strength, failure}, below, u);
     CHECK(told(run).empty());
-    const std::vector<double> intact = run.template thing<0>().field([](const auto& state) { return state.intact; });
+    const std::vector<double> intact = run.template part<0>().field([](const auto& state) { return state.intact; });
     for (std::size_t e = 0; e < intact.size(); ++e) CHECK(intact[e] == (e == 18 ? 0 : 1));
     for (std::size_t i = 0; i < run.nodes().size(); ++i) CHECK((run.nodes().x(i) + run.nodes().v(i)).allFinite());
     CHECK(run.dt() > 1e-4);  // what has failed does not limit the step

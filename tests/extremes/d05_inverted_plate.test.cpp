@@ -64,7 +64,7 @@ TEST_CASE("D5: where its material can fail the rest of the plates run on") {
   for (const Displacement u : {steady, jump}) {
     auto run = pushed(testing::brittle_plate, far, u);
     CHECK(told(run).empty());
-    const std::vector<double> intact = run.template thing<0>().field([](const auto& state) { return state.intact; });
+    const std::vector<double> intact = run.template part<0>().field([](const auto& state) { return state.intact; });
     CHECK(intact[0] == 0);
     CHECK(intact[8] == 1);
     for (std::size_t i = 0; i < run.nodes().size(); ++i)

@@ -27,11 +27,11 @@ TEST_CASE("D7: water of tetrahedra with a blend of pressures finishes, its step 
 }
 
 // On a mesh of 4 x 32 the step falls to a millionth after 0.44 ms (the bench verification).
-TEST_CASE("D7: with the pressure of the nodes alone what collapses is deleted, with a notice") {
+TEST_CASE("D7: with the pressure of the nodes alone what collapses is deleted, with a warning") {
   auto run = water_bird::on_plate(Tet4{NodalPressure{1.0}}, 2, Erosion{.step = 2e-4});  // an eighth of the first
   CHECK(least_step(run) >= 2e-4);
-  const auto& part = run.thing<0>();
+  const auto& part = run.part<0>();
   CHECK(part.deleted() > 0);
   CHECK(part.deleted() < part.size() / 10);
-  CHECK(run.notices().size() == 1);
+  CHECK(run.warnings().size() == 1);
 }

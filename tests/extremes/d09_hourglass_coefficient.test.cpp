@@ -8,7 +8,7 @@ using namespace strike;
 
 namespace {
 
-const Elastic material{.reference_density = 1, .youngs_modulus = 1};  // c = 1
+const Elastic material{.density = 1, .youngs_modulus = 1};  // c = 1
 constexpr Index n = 3;
 
 /// The nodes of a mesh of unit cubes begin in the pattern that every element feels as an hourglass.

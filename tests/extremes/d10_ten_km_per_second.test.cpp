@@ -62,7 +62,7 @@ TEST_CASE("D10: an aluminium ball of 1 mm does not tunnel into a plate of 1 mm a
         }
       }
     CHECK(inside == 0);
-    CHECK(run.template thing<1>().penetration() < 0.01 / 8);  // a hundredth of an element
+    CHECK(run.template item<1>().penetration() < 0.01 / 8);  // a hundredth of an element
     CHECK(run.momentum().z() == Approx(momentum).epsilon(1e-10));
     double lowest = 0;
     for (const Index i : ball_nodes) lowest = std::min(lowest, x[i].z());

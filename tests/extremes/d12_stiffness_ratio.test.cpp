@@ -29,7 +29,7 @@ TEST_CASE("D12: rubber that meets steel enters it by less than 5 % of an element
                        InitialVelocity{{0, 0, -v}, rubber_nodes}}};
     double deepest = 0, lowest = 0, taken = 0;
     run.until(5e-3, [&] {
-      deepest = std::max(deepest, run.template thing<2>().penetration());
+      deepest = std::max(deepest, run.template item<2>().penetration());
       lowest = std::min(lowest, run.energy().contact);
       taken = std::max(taken, std::abs(run.energy().contact));
     });

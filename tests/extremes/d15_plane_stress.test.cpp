@@ -23,7 +23,7 @@ struct Counted {
   using Kinematics = SolidKinematics;
   template <class T>
   using State = typename S::template State<T>;
-  double density() const { return solid.density(); }
+  double density() const { return density_of(solid); }
   template <class T>
   auto stress(T& state, const SolidKinematics::Rate<double>& rate, double dt) const {
     ++*asked;

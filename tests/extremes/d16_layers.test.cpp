@@ -1,13 +1,13 @@
 // D16: no layer, one, a hundred.
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 
 using namespace strike;
 
 namespace {
-const PlaneStress polycarbonate{Elastic{.reference_density = 1200e-12, .youngs_modulus = 2400, .poissons_ratio = .38}};
+const PlaneStress polycarbonate{Elastic{.density = 1200e-12, .youngs_modulus = 2400, .poissons_ratio = .38}};
 }
 
 TEST_CASE("D16: a plate cut into 100 layers is the same plate to 1e-12") {
@@ -18,7 +18,7 @@ TEST_CASE("D16: a plate cut into 100 layers is the same plate to 1e-12") {
   CHECK(cut.transverse_shear().bending == Approx(whole.transverse_shear().bending).epsilon(1e-12));
   CHECK(cut.density() == Approx(whole.density()).epsilon(1e-12));
   CHECK(cut.rotary_inertia() == Approx(whole.rotary_inertia()).epsilon(1e-12));
-  CHECK(cut.notice(10).empty());
+  CHECK(cut.warning(10).empty());
 
   decltype(whole)::State<double> a{};
   decltype(cut)::State<double> b{};
@@ -32,7 +32,7 @@ TEST_CASE("D16: a plate cut into 100 layers is the same plate to 1e-12") {
 }
 
 TEST_CASE("D16: a layer without thickness is none") {
-  const PlaneStress steel{Elastic{.reference_density = 7850e-12, .youngs_modulus = 200e3, .poissons_ratio = .3}};
+  const PlaneStress steel{Elastic{.density = 7850e-12, .youngs_modulus = 200e3, .poissons_ratio = .3}};
   const Homogeneous whole{polycarbonate, 12.7};
   const Layered with{Layer{steel, 0.0}, Layer{polycarbonate, 6.0}, Layer{steel, 0.0}, Layer{polycarbonate, 6.7}};
   CHECK(with.shear_stiffness() == Approx(whole.shear_stiffness()).epsilon(1e-14));

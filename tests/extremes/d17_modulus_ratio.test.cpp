@@ -1,9 +1,9 @@
 // D17: layers 1e6 times softer, and one of no modulus at all.
 #include <cmath>
 
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/scalar/pack.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 #include "support/lay_ups.hpp"
@@ -13,7 +13,7 @@ using namespace strike::testing;
 
 namespace {
 
-const PlaneStress pane{Elastic{.reference_density = 2500e-12, .youngs_modulus = 70000, .poissons_ratio = .22}};
+const PlaneStress pane{Elastic{.density = 2500e-12, .youngs_modulus = 70000, .poissons_ratio = .22}};
 
 /// Elastic in volume and as soft as wished in shear: E = 9 K G/(3 K + G).
 auto jelly(double shear_modulus) {

@@ -45,7 +45,7 @@ TEST_CASE("D20: triangles whose cells name a node twice swing and keep their ene
   const std::vector<Eigen::Vector3d> nodes{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}};
   const Cells<4> cells{{0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};
   Explicit run{Scene{nodes, Part{Plate4{}, testing::elastic_plate, cells}, InitialVelocity{{2e-3, 1e-3, 5e-3}, {4}},
-                     Hinged{{0, 1, 2, 3}}},
+                     Pinned{{0, 1, 2, 3}}},
                ExplicitOptions{.step_factor = 0.45}};
   CHECK(run.nodes().mass(4) == Approx(0.2 / 2).epsilon(1e-15));  // two corners of each
   CHECK(run.nodes().mass(0) == Approx(0.2 / 8).epsilon(1e-15));

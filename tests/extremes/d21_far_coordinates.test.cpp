@@ -75,7 +75,7 @@ TEST_CASE("D21: in mixed precision a bar far from the origin swings as at it") {
                  {},
                  numbers};
     for (int i = 0; i < 200; ++i) run.step();
-    return run.template thing<0>().field([](const auto& state) { return state.stress.zz; });
+    return run.template part<0>().field([](const auto& state) { return state.stress.zz; });
   };
   const auto near = stress(0, in<Pack<double>>), far = stress(1e5, in<Pack<float>, double>);
   double largest = 0, error = 0;

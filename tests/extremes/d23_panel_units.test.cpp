@@ -7,11 +7,11 @@
 #include <strike/load/initial_velocity.hpp>
 #include <strike/load/support.hpp>
 #include <strike/material/eos/linear.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 
@@ -44,11 +44,11 @@ std::array<double, 6> panel_in(const System& unit) {
       nodes_where(mesh.nodes, [&](const auto& x) { return std::atan2(x.x(), x.z()) > arc - 1e-6; });
   Explicit run{Scene{mesh.nodes, Part{Plate4{}, Homogeneous{aluminium, h, Simpson<3>{}}, mesh.quadrilaterals},
                      InitialVelocityField{blast}, Symmetry{Axis::x, nodes_where(mesh.nodes, on_plane(Axis::x, 0))},
-                     Clamped{side}, Hinged{nodes_where(mesh.nodes, on_plane(Axis::y, 0))},
-                     Hinged{nodes_where(mesh.nodes, on_plane(Axis::y, length))}}};
+                     Clamped{side}, Pinned{nodes_where(mesh.nodes, on_plane(Axis::y, 0))},
+                     Pinned{nodes_where(mesh.nodes, on_plane(Axis::y, length))}}};
   run.until(40e-6 / unit.time);
   double plastic = 0;
-  for (const double e : run.thing<0>().field([](const auto& point) { return point.equivalent_plastic_strain; }))
+  for (const double e : run.part<0>().field([](const auto& point) { return point.equivalent_plastic_strain; }))
     plastic += e;
   const Energy& energy = run.energy();
   const Index crown = nearest_node(mesh.nodes, {0, length / 2, radius});

@@ -17,7 +17,7 @@ template <class F>
 void each_material(double scale, F f) {
   const LinearEos linear{.density = 8930 * scale, .bulk_modulus = 130e9 * scale};
   const double G = 43.3e9 * scale, Y = 400e6 * scale;
-  f(Elastic{.reference_density = 8930 * scale, .youngs_modulus = 117e9 * scale, .poissons_ratio = .35});
+  f(Elastic{.density = 8930 * scale, .youngs_modulus = 117e9 * scale, .poissons_ratio = .35});
   f(Solid{linear, VonMises{.shear_modulus = G, .yield_stress = Y, .hardening_modulus = 0.1 * Y}});
   f(Solid{linear, RateVonMises{.shear_modulus = G, .yield_stress = Y, .rate_factor = .1, .rate_exponent = .25}});
   f(Solid{GruneisenEos{.density = 8930 * scale, .sound_speed = 3940, .S1 = 1.489, .gamma = 1.99},

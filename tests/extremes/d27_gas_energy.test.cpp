@@ -13,7 +13,7 @@ namespace {
 
 constexpr double heats = 1.4;
 
-/// p V^gamma at the end over that at the begin, V as it falls from 1 to 1/10 in so many steps.
+/// p V^gamma at the end over that at the start, V as it falls from 1 to 1/10 in so many steps.
 template <class Volume>
 double adiabat(int steps, Volume volume) {
   MaterialPoint point{Fluid{IdealGas{.density = 1.2, .gamma = heats, .initial_energy = 2.5e5}}};

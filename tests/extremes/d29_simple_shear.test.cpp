@@ -9,7 +9,7 @@
 using namespace strike;
 
 namespace {
-constexpr Elastic solid{.reference_density = 1, .youngs_modulus = 2.6, .poissons_ratio = .3};  // G = 1
+constexpr Elastic solid{.density = 1, .youngs_modulus = 2.6, .poissons_ratio = .3};  // G = 1
 }
 
 TEST_CASE("D29: tau = sin 10 = -.544021 G, s11 = 1 - cos 10 = 1.839072 G in steps of dg = 9e-4") {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <type_traits>
 
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/strength/von_mises.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 

@@ -35,9 +35,9 @@ auto dust_run(double largest_step, Things... things) {
 
 }  // namespace
 
-TEST_CASE("D31: what has failed from the begin flies freely, and gives a wall its whole momentum") {
+TEST_CASE("D31: what has failed from the start flies freely, and gives a wall its whole momentum") {
   auto run = dust_run(1e-4, RigidWall{{0, 0, 0}, {0, 0, 1}});
-  CHECK(run.thing<0>().deleted() == block.tetrahedra.size());
+  CHECK(run.part<0>().deleted() == block.tetrahedra.size());
   double worst = 0;
   run.until(5e-3, [&] { worst = std::max(worst, std::abs(run.energy().error())); });
   CHECK(std::abs(double(run.steps()) - 50) <= 1);  // no element bounds them
@@ -45,7 +45,7 @@ TEST_CASE("D31: what has failed from the begin flies freely, and gives a wall it
   for (std::size_t i = 0; i < block.nodes.size(); ++i)
     if (block.nodes[i].z() > 0.6) CHECK((run.nodes().v(i) - Eigen::Vector3d(0, 0, -100)).norm() == 0);
   run.until(0.011, [&] { worst = std::max(worst, std::abs(run.energy().error())); });
-  CHECK(run.thing<2>().impulse().z() == Approx(1000 * 100).epsilon(1e-12));
+  CHECK(run.item<2>().impulse().z() == Approx(1000 * 100).epsilon(1e-12));
   CHECK(run.energy().contact == Approx(run.energy().initial).epsilon(1e-12));
   CHECK(worst < 1e-12);
 }

@@ -9,7 +9,7 @@ using namespace strike::two_bars;
 
 namespace {
 
-/// The largest energy of bars that meet through springs of f EA/h, over that at the begin.
+/// The largest energy of bars that meet through springs of f EA/h, over that at the start.
 template <class MakeContact>
 double largest_energy(double step_factor, const MakeContact& contact) {
   const Bars bars(20);

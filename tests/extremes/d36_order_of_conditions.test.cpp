@@ -17,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-constexpr Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e8, .poissons_ratio = 0.3};
+constexpr Elastic rubber{.density = 1000, .youngs_modulus = 1e8, .poissons_ratio = 0.3};
 
 Mesh block() { return box({.size = {1, 1, 1}, .cells = {3, 3, 3}}); }
 std::vector<Index> on(Axis axis) { return nodes_where(block().nodes, on_plane(axis, 0)); }

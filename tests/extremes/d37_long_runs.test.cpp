@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include <strike/dynamics/clock.hpp>
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/mesh/box.hpp>
+#include <strike/motion/clock.hpp>
 
 #include "support/catch.hpp"
 
@@ -23,7 +23,7 @@ TEST_CASE("D37: 1e8 steps of 1e-9 from the time 1 on end at 1.1, where a plain s
 
 TEST_CASE("D37: the time of a run is the number of its steps times their length") {
   const Mesh mesh = box({.size = {1, 1, 1}});
-  const Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e8};
+  const Elastic rubber{.density = 1000, .youngs_modulus = 1e8};
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, rubber, mesh.hexahedra}}, ExplicitOptions{.largest_step = 1e-9},
                in<double>};
   for (int i = 0; i < 100000; ++i) run.step();

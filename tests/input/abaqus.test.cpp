@@ -36,13 +36,13 @@ TEST_CASE("abaqus: a flat deck with sets, ranges and elements over two lines") {
   CHECK(deck.nodes("all").size() == 10);
   CHECK(deck.nodes("left") == std::vector<Index>{0, 4, 8});
   CHECK(deck.nodes("both of them") == std::vector<Index>{0, 1, 4, 8});
-  CHECK(deck.notices == std::vector<std::string>{
-                            "Nodes without an element (1, the first has the number 77) were dropped.",
-                            "*MATERIAL (1) was skipped: line 34.",
-                            "*ELASTIC (1) was skipped: line 35.",
-                            "*STEP (2) was skipped: lines 37, 38.",
-                            "Elements of type R3D4 (1) were ignored: line 27.",
-                        });
+  CHECK(deck.warnings == std::vector<std::string>{
+                             "Nodes without an element (1, the first has the number 77) were dropped.",
+                             "*MATERIAL (1) was skipped: line 34.",
+                             "*ELASTIC (1) was skipped: line 35.",
+                             "*STEP (2) was skipped: lines 37, 38.",
+                             "Elements of type R3D4 (1) were ignored: line 27.",
+                         });
 }
 
 TEST_CASE("abaqus: surfaces of gmsh are plates unless they lie on solids") {
@@ -53,7 +53,7 @@ TEST_CASE("abaqus: surfaces of gmsh are plates unless they lie on solids") {
   CHECK(deck.mesh.hexahedra.size() == 1);
   CHECK(deck.mesh.quadrilaterals == Cells<4>{{1, 8, 9, 2}, {1, 8, 9, 9}});
   CHECK(deck.part("side").quadrilaterals == Cells<4>{{1, 8, 9, 2}});
-  CHECK(deck.notices == std::vector<std::string>{"Surface elements on solids (1) mark faces, and are no plates."});
+  CHECK(deck.warnings == std::vector<std::string>{"Surface elements on solids (1) mark faces, and are no plates."});
 }
 
 TEST_CASE("abaqus: parts are placed by instances, with their sets") {

@@ -61,10 +61,10 @@ TEST_CASE("dyna: nodes and elements in columns and with commas, of every shape")
   CHECK(deck.part_cards[0].material == 5);
   CHECK(deck.part_cards[0].eos == 6);
   CHECK(deck.part_cards[0].hourglass == 7);
-  CHECK(deck.notices == std::vector<std::string>{
-                            "Nodes without an element (1, the first has the number 99) were dropped.",
-                            "*DATABASE_BINARY_D3PLOT (2) was skipped: lines 33, 35.",
-                        });
+  CHECK(deck.warnings == std::vector<std::string>{
+                             "Nodes without an element (1, the first has the number 99) were dropped.",
+                             "*DATABASE_BINARY_D3PLOT (2) was skipped: lines 33, 35.",
+                         });
   REQUIRE(deck.supports.size() == 2);  // TC and RC
   CHECK(deck.supports[1].nodes == std::vector<Index>{1});
   CHECK(deck.supports[1].held == std::array{false, false, true});
@@ -99,7 +99,7 @@ both
   CHECK(deck.cell_sets[0].members == std::vector<Index>{1});
   CHECK(deck.part_sets[0].name == "both");
   CHECK(deck.part_sets[0].members == std::vector<Index>{0, 1});
-  CHECK(deck.notices.empty());
+  CHECK(deck.warnings.empty());
 }
 
 TEST_CASE("dyna: what is wrong is told with its line") {

@@ -70,7 +70,7 @@ $       ro         g         e        pr
 )");
   CHECK(deck.materials[0].title == "float glass");
   const Elastic& glass = deck.material<Elastic>("glass");
-  CHECK(glass.reference_density == 2.5e-6);
+  CHECK(glass.density == 2.5e-6);
   CHECK(glass.youngs_modulus == 70);
   CHECK(glass.poissons_ratio == 0.22);
 
@@ -119,9 +119,9 @@ $       ro         g         e        pr
   CHECK(deck.material<PlasticMaterial>("sheet").failure->failure_strain == 0.2);
   CHECK(deck.material<HydroMaterial>("clay").strength.hardening_modulus == 0.002);
   CHECK(deck.eos<PolynomialEos>("clay").density == 2e-6);
-  CHECK(deck.notices == std::vector<std::string>{
-                            "SPALL of *MAT_JOHNSON_COOK (1) had no effect: line 38.",
-                        });
+  CHECK(deck.warnings == std::vector<std::string>{
+                             "SPALL of *MAT_JOHNSON_COOK (1) had no effect: line 38.",
+                         });
 
   CHECK_THROWS_WITH(deck.material<Elastic>("steel"),
                     "The material 4 of part 'steel' is *MAT_JOHNSON_COOK, not what was asked for: ask for that.");
@@ -129,7 +129,7 @@ $       ro         g         e        pr
                     "The equation of state 7 of part 4 is *EOS_GRUNEISEN, not what was asked for: ask for that.");
   CHECK_THROWS_WITH(deck.eos<PolynomialEos>("glass"),
                     "Part 'glass' names the equation of state 0, which the deck does not have or the reader skipped: "
-                    "see its notices.");
+                    "see its warnings.");
   CHECK_THROWS_WITH(deck.section("glass"), ContainsSubstring("names the section 1, which the deck does not have"));
   CHECK_THROWS_WITH(deck.hourglass("wood"), ContainsSubstring("No *PART is called 'wood': there are 'glass', 'metal'"));
   CHECK_THROWS_WITH(deck.hourglass(9), ContainsSubstring("No *PART has the number 9"));
@@ -170,7 +170,7 @@ solid
   CHECK(deck.end_time == 20);
   CHECK(deck.step_factor == 0.8);
   CHECK(deck.bulk_viscosity == std::array{1.4, 0.07});
-  CHECK(deck.notices.empty());
+  CHECK(deck.warnings.empty());
 }
 
 TEST_CASE("dyna cards: supports, velocities, walls and contacts name nodes and parts of the mesh") {
@@ -240,7 +240,7 @@ TEST_CASE("dyna cards: supports, velocities, walls and contacts name nodes and p
   CHECK(deck.contacts[0].decay == 0.1);
   CHECK(deck.contacts[1].slave.nodes == std::vector<Index>{0, 3});
   CHECK(deck.contacts[1].master.parts == std::vector<FileNumber>{2});
-  CHECK(deck.notices.empty());
+  CHECK(deck.warnings.empty());
 }
 
 TEST_CASE("dyna cards: values without a counterpart are listed") {
@@ -265,7 +265,7 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 *MAT_ELASTIC
 3,1,1,0,0,.1
 )");
-  CHECK(deck.notices ==
+  CHECK(deck.warnings ==
         std::vector<std::string>{
             "*CONTACT_TIED_NODES_TO_SURFACE (1) was skipped: line 28.",
             "BETA (hardening is isotropic here) of *MAT_PLASTIC_KINEMATIC (1) had no effect: line 12.",

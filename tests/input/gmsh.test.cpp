@@ -40,13 +40,13 @@ TEST_CASE("gmsh: version 2.2 with groups, faces on solids, lines and an orphan")
   CHECK(deck.nodes("foot") == std::vector<Index>{0, 1, 2, 3});
   CHECK(deck.nodes("edge") == std::vector<Index>{0, 1});
   CHECK(deck.nodes("point 1") == std::vector<Index>{0});
-  CHECK(deck.notices == std::vector<std::string>{
-                            "Surface elements on solids (2) mark faces, and are no plates.",
-                            "Nodes without an element (1, the first has the number 100) were dropped.",
-                            "$NodeData (1) was skipped: line 36.",
-                            "Points (1) were ignored: line 27.",
-                            "Lines (1) were ignored: line 28.",
-                        });
+  CHECK(deck.warnings == std::vector<std::string>{
+                             "Surface elements on solids (2) mark faces, and are no plates.",
+                             "Nodes without an element (1, the first has the number 100) were dropped.",
+                             "$NodeData (1) was skipped: line 36.",
+                             "Points (1) were ignored: line 27.",
+                             "Lines (1) were ignored: line 28.",
+                         });
 }
 
 TEST_CASE("gmsh: version 4.1 with entities in two groups and parametric nodes") {
@@ -59,7 +59,7 @@ TEST_CASE("gmsh: version 4.1 with entities in two groups and parametric nodes") 
   CHECK(deck.part("all").quadrilaterals.size() == 2);
   CHECK(deck.part("left").quadrilaterals == Cells<4>{{0, 1, 2, 3}});
   CHECK(deck.nodes("left") == std::vector<Index>{0, 1, 2, 3});
-  CHECK(deck.notices.empty());
+  CHECK(deck.warnings.empty());
 }
 
 TEST_CASE("gmsh: what is wrong is told with its line") {

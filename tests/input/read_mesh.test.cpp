@@ -36,7 +36,7 @@ TEST_CASE("read mesh: a cylinder comes back from every format to the last bit") 
     CHECK(deck.node_numbers.front() == 1);
     CHECK(deck.node_numbers.back() == FileNumber(bar.nodes.size()));
     CHECK(deck.cell_numbers.back() == FileNumber(bar.hexahedra.size() + bar.tetrahedra.size()));
-    CHECK(deck.notices.empty());
+    CHECK(deck.warnings.empty());
     CHECK_NOTHROW(check(deck.mesh));
   }
 }

@@ -9,7 +9,7 @@ using namespace strike;
 
 TEST_CASE("nodal forces with a history: their impulse is the trapezoidal sum, and their work balances") {
   const Mesh mesh = box({.size = {0.2, 0.3, 0.1}, .cells = {2, 3, 1}});
-  const Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e8, .poissons_ratio = 0.3};
+  const Elastic rubber{.density = 1000, .youngs_modulus = 1e8, .poissons_ratio = 0.3};
   const Eigen::Vector3d force(1, -2, 3);
   const double T = 0.01;
   const Curve triangle{{{0, 0}, {T / 2, 1}, {T, 0}}};
@@ -25,7 +25,7 @@ TEST_CASE("nodal forces with a history: their impulse is the trapezoidal sum, an
 
 TEST_CASE("a constant nodal force moves a free body as half the acceleration times time squared") {
   const Mesh mesh = box({.size = {1, 1, 1}});
-  const Elastic rubber{.reference_density = 2, .youngs_modulus = 1e3};
+  const Elastic rubber{.density = 2, .youngs_modulus = 1e3};
   std::vector<Index> all{0, 1, 2, 3, 4, 5, 6, 7};
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, rubber, mesh.hexahedra}, NodalForce{{0.1, 0, 0}, all}}, {}, in<double>};
   run.until(1);

@@ -1,4 +1,4 @@
-// Loads, conditions and walls that name a node that is not there say so at the begin.
+// Loads, conditions and walls that name a node that is not there say so at the start.
 #include <strike/contact/rigid_wall.hpp>
 #include <strike/load.hpp>
 

@@ -6,10 +6,10 @@
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/load/support.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 
@@ -71,7 +71,7 @@ std::vector<Index> edge() {
 
 TEST_CASE("clamped nodes neither move nor turn, hinged ones turn, and all others do both") {
   const auto clamped = shaken(Clamped{edge()});
-  const auto hinged = shaken(Hinged{edge()});
+  const auto hinged = shaken(Pinned{edge()});
   for (const Index i : edge()) {
     CHECK(clamped.nodes().v(i).norm() + clamped.nodes().w(i).norm() == 0);
     CHECK(hinged.nodes().v(i).norm() == 0);

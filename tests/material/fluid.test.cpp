@@ -12,9 +12,7 @@ static_assert(SolidMaterial<Fluid<CubicEos>> && SolidMaterial<Fluid<IdealGas, Ne
 
 namespace {
 template <class M>
-concept Viscous = requires(const M m) {
-  m.viscosity();
-};
+concept Viscous = requires(const M m) { m.viscosity(); };
 }  // namespace
 static_assert(Viscous<Fluid<LinearEos, Newtonian>> && !Viscous<Fluid<LinearEos>>);
 

@@ -1,7 +1,7 @@
+#include <strike/draw/picture.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/remaining.hpp>
 #include <strike/mesh/surface.hpp>
-#include <strike/output/picture.hpp>
 
 #include "support/catch.hpp"
 

@@ -6,7 +6,7 @@ using namespace strike;
 struct Wind {
   double gust = 0;
   template <class N>
-  void push(N& nodes, double time) {
+  void apply_loads(N& nodes, double time) {
     gust = time;
     nodes.add_force(0, {gust, 0, 0});
   }

@@ -3,7 +3,7 @@
 
 using namespace strike;
 
-constexpr Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+constexpr Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
 
 struct Membrane : PlaneStress<Elastic> {
   void normal_rate() = delete;

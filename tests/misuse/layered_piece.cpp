@@ -3,6 +3,6 @@
 
 using namespace strike;
 
-constexpr Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+constexpr Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
 
 int main() { const Layered section{Layer{PlaneStress{steel}, 3.0}, 4.0}; }

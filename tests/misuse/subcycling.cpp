@@ -5,7 +5,7 @@ using namespace strike;
 
 int main() {
   const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
-  const Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+  const Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}}, {}, Subcycling{}, DynamicRelaxation{}};
   run.until(at_rest);
 }

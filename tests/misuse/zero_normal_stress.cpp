@@ -4,6 +4,6 @@
 using namespace strike;
 
 int main() {
-  const Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3};
+  const Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3};
   return ZeroNormalStress{PlaneStress{steel}}.density() > 0;
 }

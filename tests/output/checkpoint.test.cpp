@@ -108,15 +108,15 @@ struct Own {
 
 TEST_CASE("checkpoint: a strike with plates, eroding tetrahedra, springs and friction goes on to the bit") {
   const auto run = goes_on_to_the_bit([] { return Explicit{bird_strike()}; }, 0.12);
-  CHECK(run.thing<1>().deleted() > 0);
-  CHECK(run.thing<4>().impulse().z() > 0);
+  CHECK(run.item<1>().deleted() > 0);
+  CHECK(run.item<4>().impulse().z() > 0);
   CHECK(run.energy().friction > 0);
 }
 
 TEST_CASE("checkpoint: the same under subcycling, plates slow, goes on to the bit within a cycle") {
   const auto run = goes_on_to_the_bit([] { return Explicit{bird_strike(3), {}, Subcycling{}}; }, 0.12);
   CHECK(run.cycle().multiple() > 1);
-  CHECK(run.thing<1>().deleted() > 0);
+  CHECK(run.item<1>().deleted() > 0);
 }
 
 TEST_CASE("checkpoint: a bar in mixed precision under the step of the mesh goes on to the bit") {

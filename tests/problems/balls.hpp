@@ -4,9 +4,9 @@
 #include <numeric>
 #include <vector>
 
-#include <strike/dynamics/ledger.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/ledger.hpp>
+#include <strike/motion/nodes.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike::testing {
@@ -29,7 +29,7 @@ class Balls {
       nodes.set_velocity(i, nodes.v(i) + dt / nodes.mass(i) * force);
       nodes.add_force(i, force - nodes.f(i));
     }
-    contact.touch(nodes, now, ledger);
+    contact.resolve_contact(nodes, now, ledger);
     ledger.settle();
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_position(i, nodes.x(i) + dt * nodes.v(i));
     time += dt;

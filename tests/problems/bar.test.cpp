@@ -21,7 +21,7 @@ TEST_CASE("a bar on a wall at the step h/c is exact at every node until it leave
       worst = std::max(worst, std::abs(sigma[e] - (loaded ? -1 : 0)));
     }
     CHECK(worst < 1e-7);
-    peak_force = std::max(peak_force, std::abs(run.thing<2>().force().x() / (rho * c * v * h * h) - 1));
+    peak_force = std::max(peak_force, std::abs(run.item<2>().force().x() / (rho * c * v * h * h) - 1));
     CHECK(std::abs(run.energy().error()) < 1e-8);
   }
   CHECK(peak_force < 1e-7);

@@ -26,8 +26,8 @@ TEST_CASE("a bird of water on a rigid plate: impulse m v, the rear at 1 - v t/L,
     const double expected = 1 - speed * run.time() / length;
     lag = std::max(lag, std::abs(1 - (start - height()) / length - expected) / expected);
   });
-  CHECK(4 * run.thing<4>().impulse().z() == Approx(momentum).epsilon(0.02));
+  CHECK(4 * run.item<4>().impulse().z() == Approx(momentum).epsilon(0.02));
   CHECK(lag < 0.03);
   CHECK(drift < 0.01);
-  CHECK(run.thing<0>().deleted() > 0);
+  CHECK(run.part<0>().deleted() > 0);
 }

@@ -39,7 +39,7 @@ TEST_CASE("a slab of TNT detonates from its rigid end: front, pressure behind it
                       {.detonation_velocity = D, .front_width = 4 * h, .pressure_CJ = p_CJ}};
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, tnt, mesh.hexahedra}, Symmetry{Axis::x, section(mesh, 0)},
                      Symmetry{Axis::y, all}, Symmetry{Axis::z, all}}};
-  const auto pressure = [&] { return run.thing<0>().field([](const auto& state) { return state.pressure; }); };
+  const auto pressure = [&] { return run.part<0>().field([](const auto& state) { return state.pressure; }); };
   double at_80 = 0, at_160 = 0, highest = 0;  // when the front, half way up, comes by
   while (at_160 == 0) {
     run.step();

@@ -70,7 +70,7 @@ void check_waves(const Impact& impact) {
                                 .hardening_modulus = impact.hardening_modulus}};
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, material, mesh.hexahedra}, InitialVelocity{{-impact.v, 0, 0}},
                      Symmetry{Axis::y, all}, Symmetry{Axis::z, all}, RigidWall{{0, 0, 0}, {1, 0, 0}}}};
-  const auto stress = [&] { return run.thing<0>().field([](const auto& state) { return -state.stress.xx; }); };
+  const auto stress = [&] { return run.part<0>().field([](const auto& state) { return -state.stress.xx; }); };
 
   const Impact::State elastic = impact.elastic_limit(), plastic = impact.behind(elastic, impact.v);
   const double U = (plastic.v - elastic.v) / (elastic.J - plastic.J);  // per reference length

@@ -11,12 +11,12 @@
 #include <strike/load/initial_velocity.hpp>
 #include <strike/load/support.hpp>
 #include <strike/material/eos/linear.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
+#include <strike/section/layered.hpp>
 
 namespace strike::explosive_panel {
 
@@ -78,8 +78,8 @@ auto scene(const Mesh& panel, const Section& section, const Units& units = {}, c
                InitialVelocityField{Blast{units}},
                Symmetry{Axis::x, on(Axis::x, 0)},
                Clamped{side},
-               Hinged{on(Axis::y, 0)},
-               Hinged{on(Axis::y, units.span())}};
+               Pinned{on(Axis::y, 0)},
+               Pinned{on(Axis::y, units.span())}};
 }
 
 /// How far a point of the crown goes in, and when.

@@ -9,9 +9,9 @@
 namespace strike::free_cubes {
 
 inline constexpr double h = 1.0 / 8;
-inline constexpr Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e9, .poissons_ratio = 0.4999};
+inline constexpr Elastic rubber{.density = 1000, .youngs_modulus = 1e9, .poissons_ratio = 0.4999};
 inline double wave_speed() {
-  return std::sqrt((rubber.bulk_modulus() + 4 * rubber.shear_modulus() / 3) / rubber.density());
+  return std::sqrt((rubber.bulk_modulus() + 4 * rubber.shear_modulus() / 3) / density_of(rubber));
 }
 
 /// So small that 1e5 steps of an hourglass do not turn the cubes over.

@@ -43,8 +43,8 @@ TEST_CASE("Sod's shock tube in 100 elements") {
     if (s < tail) return std::pow((2 - (heat_ratio - 1) * s / c) / (heat_ratio + 1), 2 / (heat_ratio - 1));
     return s < u_star ? rho_L : s < shock ? rho_R : 0.125;
   };
-  std::vector<double> p = run.thing<0>().field([](const auto& state) { return state.pressure; });
-  for (const double q : run.thing<1>().field([](const auto& state) { return state.pressure; })) p.push_back(q);
+  std::vector<double> p = run.part<0>().field([](const auto& state) { return state.pressure; });
+  for (const double q : run.item<1>().field([](const auto& state) { return state.pressure; })) p.push_back(q);
 
   // Means over the plateaus at both sides of the contact: at the left of the five elements next to it, for behind the
   // rarefaction, where viscosity is off, the start still rings; at the right of all up to the front of the shock.
@@ -87,9 +87,9 @@ TEST_CASE("a gas that the driver compresses without a shock follows its isentrop
                      Symmetry{Axis::y, all}, Symmetry{Axis::z, all}, Symmetry{Axis::x, section(mesh, 0)},
                      PrescribedDisplacement{Axis::x, section(mesh, 1), displacement}}};
   run.until(end);
-  for (const double p : run.thing<0>().field([](const auto& state) { return state.pressure; }))
+  for (const double p : run.part<0>().field([](const auto& state) { return state.pressure; }))
     CHECK(p == Approx(2.639016).epsilon(1e-3));  // 2^gamma
-  // The work p0 V0/(gamma - 1) (2^(gamma - 1) - 1), on top of the energy p0 V0/(gamma - 1) stored at the begin.
+  // The work p0 V0/(gamma - 1) (2^(gamma - 1) - 1), on top of the energy p0 V0/(gamma - 1) stored at the start.
   const double stored = mesh_volume / (heat_ratio - 1), work = stored * (std::pow(2, heat_ratio - 1) - 1);
   const Energy& energy = run.energy();
   CHECK(energy.initial == Approx(stored).epsilon(1e-6));

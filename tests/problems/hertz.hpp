@@ -47,7 +47,7 @@ Impact strike_plane(Index cells, double grading, const Policies&... policies) {
   double mass = 0, smooth = 0;
   for (std::size_t i = 0; i < run.nodes().size(); ++i) mass += run.nodes().mass(i);
   run.until(1.3 * time, [&] {
-    const double f = 4 * run.template thing<1>().force().z();
+    const double f = 4 * run.template item<1>().force().z();
     smooth += std::min(1.0, run.dt() / (0.01 * time)) * (f - smooth);  // over a hundredth of the time
     impact.force = std::max(impact.force, smooth / force);
     if (smooth > 0.005 * force) impact.time = run.time() / time;

@@ -1,5 +1,5 @@
 // Laminated strips and plates of Plate4 against plates with shear deformation and against elasticity (REFERENCES of the
-// section alone are in tests/material/transverse_shear.test.cpp).
+// section alone are in tests/section/transverse_shear.test.cpp).
 #include <cmath>
 #include <numbers>
 
@@ -140,20 +140,19 @@ TEST_CASE("square laminated plates sink under pressure as plates with their shea
   CHECK(square_plate(testing::glass.section(1e2)) == Approx(18.4385).epsilon(0.01));
   CHECK(square_plate(testing::glass.section(1e3)) == Approx(27.4830).epsilon(0.01));
   CHECK(square_plate(testing::glass.section(1e4)) == Approx(117.925).epsilon(0.01));
-  const PlaneStress polycarbonate{
-      Elastic{.reference_density = 1200e-12, .youngs_modulus = 2400, .poissons_ratio = 0.38}};
+  const PlaneStress polycarbonate{Elastic{.density = 1200e-12, .youngs_modulus = 2400, .poissons_ratio = 0.38}};
   CHECK(square_plate(Homogeneous{polycarbonate, 12.7}) == Approx(69.4419).epsilon(0.01));
 }
 
 TEST_CASE("a run tells where layers slide over four elements") {
-  const auto notices = [](double softness) {
+  const auto warnings = [](double softness) {
     const Strip strip(testing::glass);
     return Explicit{
         Scene{strip.mesh.nodes, Part{Plate4{}, testing::glass.section(softness), strip.mesh.quadrilaterals}}}
-        .notices();
+        .warnings();
   };
-  CHECK(notices(1).empty());
-  const auto told = notices(1e4);
+  CHECK(warnings(1).empty());
+  const auto told = warnings(1e4);
   REQUIRE(told.size() == 1);
   CHECK(told[0].find("slide") != std::string::npos);
 }

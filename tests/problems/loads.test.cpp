@@ -17,7 +17,7 @@ using namespace strike;
 
 namespace {
 
-constexpr Elastic rubber{.reference_density = 1000, .youngs_modulus = 1e8, .poissons_ratio = 0.3};  // [kg/m3, Pa]
+constexpr Elastic rubber{.density = 1000, .youngs_modulus = 1e8, .poissons_ratio = 0.3};  // [kg/m3, Pa]
 
 Mesh block() { return box({.size = {0.2, 0.3, 0.1}, .cells = {2, 3, 1}}); }
 constexpr double block_mass = 0.2 * 0.3 * 0.1 * 1000;
@@ -29,7 +29,7 @@ Eigen::Vector3d random_vector(Random& random) {
   return {x, y, z};
 }
 
-/// Each node at the begin with a velocity of its own.
+/// Each node at the start with a velocity of its own.
 struct RandomVelocity {
   double size;
   unsigned seed = 1;
@@ -166,8 +166,8 @@ TEST_CASE("a block slides on a wall with friction until v0/(mu g)") {
   });
   CHECK(worst < 0.01 * distance);
   CHECK(run.energy().friction == Approx(0.5 * m * v0 * v0).epsilon(0.01));
-  CHECK(run.thing<3>().impulse().x() == Approx(-m * v0).epsilon(0.01));
-  CHECK(run.thing<3>().impulse().z() == Approx(m * g * 2 * stop).epsilon(0.01));
+  CHECK(run.item<3>().impulse().x() == Approx(-m * v0).epsilon(0.01));
+  CHECK(run.item<3>().impulse().z() == Approx(m * g * 2 * stop).epsilon(0.01));
   CHECK(drift < 1e-3);
 }
 

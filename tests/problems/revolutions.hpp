@@ -10,8 +10,7 @@
 namespace strike::revolutions {
 
 inline constexpr double E = 1;
-inline constexpr Elastic unit_solid{.reference_density = 1,
-                                    .youngs_modulus = E};  // stress = E strain in every direction
+inline constexpr Elastic unit_solid{.density = 1, .youngs_modulus = E};  // stress = E strain in every direction
 
 /// Stretches the unit cube, then turns it `revolutions` times about z in equal steps. Returns what the stress is in the
 /// end, in axes that turn along.

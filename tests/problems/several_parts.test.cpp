@@ -16,18 +16,18 @@ using namespace strike;
 
 namespace {
 
-const Elastic steel{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+const Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
 const Solid copper{LinearEos{.density = 8930, .bulk_modulus = 130e9}, ElasticStrength{.shear_modulus = 43.3e9}};
 const Fluid water{CubicEos{.density = 1000, .C1 = 2.19e9}};
 
 template <class M>
 double wave_speed(const M& material) {
   const typename M::template State<double> state{};
-  return std::sqrt(material.moduli(state, {}).wave() / material.density());
+  return std::sqrt(material.moduli(state, {}).wave() / density_of(material));
 }
 template <class M>
 double impedance(const M& material) {
-  return material.density() * wave_speed(material);
+  return density_of(material) * wave_speed(material);
 }
 
 }  // namespace
@@ -62,9 +62,9 @@ TEST_CASE("waves through three parts of different elements and materials") {
 
   const double s = v * Z1 * Z2 / (Z1 + Z2), passed = s * 2 * Z3 / (Z2 + Z3);
   while (run.steps() < 30) run.step();
-  std::vector<double> stress = run.thing<0>().field([](const auto& state) { return -state.stress.xx; });
-  for (const double q : run.thing<1>().field([](const auto& state) { return -state.stress.xx; })) stress.push_back(q);
-  for (const double q : run.thing<2>().field([](const auto& state) { return state.pressure; })) stress.push_back(q);
+  std::vector<double> stress = run.part<0>().field([](const auto& state) { return -state.stress.xx; });
+  for (const double q : run.item<1>().field([](const auto& state) { return -state.stress.xx; })) stress.push_back(q);
+  for (const double q : run.item<2>().field([](const auto& state) { return state.pressure; })) stress.push_back(q);
   for (Index e = 0; e < 3 * N; ++e) {
     INFO("element " << e);
     const double expected = e < 10 ? 0 : e < 30 ? s : e < 50 ? passed : 0;

@@ -11,17 +11,17 @@
 #include <strike/element/plate4.hpp>
 #include <strike/load/support.hpp>
 #include <strike/material/elastic.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
+#include <strike/section/layered.hpp>
 
 namespace strike::shells {
 
 /// A plate of one elastic material, of the density 1.
 inline auto elastic(double E, double nu, double h) {
-  return Homogeneous{PlaneStress{Elastic{.reference_density = 1, .youngs_modulus = E, .poissons_ratio = nu}}, h};
+  return Homogeneous{PlaneStress{Elastic{.density = 1, .youngs_modulus = E, .poissons_ratio = nu}}, h};
 }
 
 /// Forces on nodes that do not change.
@@ -29,7 +29,7 @@ struct Forces {
   std::vector<std::pair<Index, Eigen::Vector3d>> forces;
 
   template <class N>
-  void push(N& nodes, double) const {
+  void apply_loads(N& nodes, double) const {
     for (const auto& [i, f] : forces) nodes.add_force(i, f);
   }
   template <class N>

@@ -34,7 +34,7 @@ void check_shock(const Eos& eos, const Shock& shock) {
   const std::vector<Index> all = all_nodes(mesh.nodes);
   Explicit run{Scene{mesh.nodes, Part{Hex8{}, Fluid{eos}, mesh.hexahedra}, InitialVelocity{{-v, 0, 0}},
                      Symmetry{Axis::y, all}, Symmetry{Axis::z, all}, RigidWall{{0, 0, 0}, {1, 0, 0}}}};
-  const auto pressure = [&] { return run.template thing<0>().field([](const auto& state) { return state.pressure; }); };
+  const auto pressure = [&] { return run.template part<0>().field([](const auto& state) { return state.pressure; }); };
   const auto mean = [](const std::vector<double>& a) { return std::accumulate(&a[20], &a[120], 0.0) / 100; };
 
   double at_60 = 0, at_140 = 0;  // when the front, half way up, comes by two elements
@@ -56,7 +56,7 @@ void check_shock(const Eos& eos, const Shock& shock) {
   CHECK(foot - top <= 6);
 
   if constexpr (requires { eos.C4; })  // the internal energy behind is the kinetic energy ahead
-    CHECK(mean(run.template thing<0>().field([](const auto& state) { return state.internal_energy; })) ==
+    CHECK(mean(run.template part<0>().field([](const auto& state) { return state.internal_energy; })) ==
           Approx(0.5 * eos.density * v * v).epsilon(0.01));
   CHECK(std::abs(run.energy().error()) < 5e-3);  // quarters with half the step
 }

@@ -37,7 +37,7 @@ void shear(double yield_stress, double gamma, Observer observe) {
                ExplicitOptions{.largest_step = dt}, in<double>};
   run.until(gamma, [&] {
     SymmetricTensor<double> sigma;
-    run.template thing<0>().field([&](const auto& state) { return sigma = state.stress, 0.0; });
+    run.template part<0>().field([&](const auto& state) { return sigma = state.stress, 0.0; });
     observe(run.time(), sigma);
   });
 }

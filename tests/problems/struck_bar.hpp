@@ -22,7 +22,7 @@ inline auto bar(double v, const ExplicitOptions& options) {
   const Mesh mesh = column(cells, L, h);
   return Explicit{Scene{mesh.nodes,
                         Part{Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}},
-                             Elastic{.reference_density = rho, .youngs_modulus = E}, mesh.hexahedra},
+                             Elastic{.density = rho, .youngs_modulus = E}, mesh.hexahedra},
                         InitialVelocity{{-v, 0, 0}}, RigidWall{{0, 0, 0}, {1, 0, 0}}},
                   options, in<double>};
 }
@@ -33,7 +33,7 @@ inline ExplicitOptions exact_steps() { return {.step_factor = 2, .largest_step =
 /// Axial stress in units of rho c v, element by element from the wall.
 template <class Run>
 std::vector<double> stress(const Run& run, double v) {
-  return run.template thing<0>().field([&](const auto& state) { return state.stress.xx / (rho * c * v); });
+  return run.template part<0>().field([&](const auto& state) { return state.stress.xx / (rho * c * v); });
 }
 
 }  // namespace strike::struck_bar

@@ -9,10 +9,10 @@
 #include <strike/load/pressure.hpp>
 #include <strike/load/support.hpp>
 #include <strike/material/elastic.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
+#include <strike/section/layered.hpp>
 
 namespace strike::supported_plate {
 
@@ -28,8 +28,8 @@ Swing swing(Index n, double pressure, Edges edges = Edges::hard, const Element& 
   constexpr double half = 5;
   const Mesh plate = rectangle({.size = {half, half}, .cells = {n, n}});
   const auto on = [&](Axis axis, double at) { return nodes_where(plate.nodes, on_plane(axis, at)); };
-  const Homogeneous section{
-      PlaneStress{Elastic{.reference_density = 2.588e-4, .youngs_modulus = 1e7, .poissons_ratio = 0.3}}, 0.5};
+  const Homogeneous section{PlaneStress{Elastic{.density = 2.588e-4, .youngs_modulus = 1e7, .poissons_ratio = 0.3}},
+                            0.5};
   using Axes = std::vector<Eigen::Vector3d>;
   const bool hard = edges == Edges::hard;
   Explicit run{Scene{plate.nodes, Part{element, section, plate.quadrilaterals},

@@ -57,7 +57,7 @@ double radius(const Run& run) {
 }
 template <class Run>
 double plastic_strain(const Run& run) {
-  const auto e = run.template thing<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
+  const auto e = run.template part<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
   return *std::max_element(e.begin(), e.end());
 }
 

@@ -76,8 +76,8 @@ Answer inflate(double pressure, double yield_stress) {
   };
   answer.u_a = mean_displacement(is_inside), answer.u_b = mean_displacement(is_outside);
   // With two equal principal stresses the von Mises stress is their difference from the third.
-  const auto q = run.thing<0>().field([](const auto& state) { return equivalent_stress(deviator(state.stress)); });
-  const auto mean = run.thing<0>().field([](const auto& state) { return (1.0 / 3.0) * trace(state.stress); });
+  const auto q = run.part<0>().field([](const auto& state) { return equivalent_stress(deviator(state.stress)); });
+  const auto mean = run.part<0>().field([](const auto& state) { return (1.0 / 3.0) * trace(state.stress); });
   for (std::size_t e = 0; e < sphere.hexahedra.size(); ++e) {
     answer.r.push_back(centroid<8>(sphere.nodes, sphere.hexahedra[e]).norm());
     answer.hoop.push_back(mean[e] + q[e] / 3), answer.radial.push_back(mean[e] - 2 * q[e] / 3);

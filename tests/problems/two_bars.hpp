@@ -43,8 +43,8 @@ struct Bars {
     };
     return Explicit{
         Scene{mesh.nodes,
-              Part{Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}},
-                   Elastic{.reference_density = rho, .youngs_modulus = E}, mesh.hexahedra},
+              Part{Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}}, Elastic{.density = rho, .youngs_modulus = E},
+                   mesh.hexahedra},
               std::move(things)..., InitialVelocityField{field}, InitialVelocity{{v_left, 0, 0}, end_nodes(false)},
               InitialVelocity{{v_right, 0, 0}, end_nodes(true)}},
         options, in<double>};

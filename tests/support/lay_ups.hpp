@@ -3,8 +3,8 @@
 #include <numbers>
 #include <vector>
 
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/section/layered.hpp>
 #include <strike/verify/laminate.hpp>
 
 namespace strike::testing {

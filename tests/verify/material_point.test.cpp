@@ -20,7 +20,7 @@ constexpr double G = 80e9, K = 160e9, E = 9 * K * G / (3 * K + G), nu = (3 * K -
 const Solid steel{LinearEos{.density = 7850, .bulk_modulus = K},
                   VonMises{.shear_modulus = G, .yield_stress = Y, .hardening_modulus = H}};
 const Solid rubber{LinearEos{.density = 1000, .bulk_modulus = K}, ElasticStrength{.shear_modulus = G}};
-constexpr Elastic elastic{.reference_density = 1000, .youngs_modulus = E, .poissons_ratio = nu};
+constexpr Elastic elastic{.density = 1000, .youngs_modulus = E, .poissons_ratio = nu};
 
 }  // namespace
 

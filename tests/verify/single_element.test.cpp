@@ -11,7 +11,7 @@
 using namespace strike;
 
 namespace {
-const Elastic material{.reference_density = 2, .youngs_modulus = 3, .poissons_ratio = 0.25};
+const Elastic material{.density = 2, .youngs_modulus = 3, .poissons_ratio = 0.25};
 }
 
 TEST_CASE("a single element under a homogeneous velocity gradient: stress, volume, forces and energy in closed form") {

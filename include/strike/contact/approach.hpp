@@ -10,7 +10,7 @@
 #include <strike/contact/search.hpp>
 #include <strike/contact/target.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/step.hpp>
 
 namespace strike::detail {
 
@@ -53,7 +53,7 @@ class Approach {
     touches_.resize(nodes_.size());
   }
 
-  /// Those that are inside at the begin stay as deep as they are without force, until they leave.
+  /// Those that are inside at the start stay as deep as they are without force, until they leave.
   void begin(const ContactNodes& all, Beginners& beginners) {
     size_ = target_.mean_size(all.x);
     if constexpr (self) {
@@ -101,13 +101,13 @@ class Approach {
 
   double size() const { return size_; }
   /// The largest 1/m* of a node and a corner near it: what a spring needs at most.
-  double largest_yielding() const { return most_yielding_; }
+  double largest_inverse_mass() const { return largest_inverse_mass_; }
   std::size_t sorts() const { return sorts_; }
   const std::vector<Index>& nodes() const { return nodes_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(nodes_, corners_, target_, touches_, search_, margin_, travelled_, most_yielding_, sorts_);
+    archive(nodes_, corners_, target_, touches_, search_, margin_, travelled_, largest_inverse_mass_, sorts_);
   }
 
  private:
@@ -115,12 +115,12 @@ class Approach {
     ++sorts_;
     const double asleep = search_.sort(nodes_, target_.faces(), all.x, depth_ + margin);
     margin_ = margin + asleep, travelled_ = 0;
-    most_yielding_ = 0;
+    largest_inverse_mass_ = 0;
     for (const Index s : search_.awake()) {
       double corner = 0;
       for (const Index f : search_.near(s))
         for (const Index i : target_.faces()[f]) corner = std::max(corner, all.inverse_mass(i));
-      most_yielding_ = std::max(most_yielding_, all.inverse_mass(nodes_[s]) + corner);
+      largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(nodes_[s]) + corner);
     }
   }
 
@@ -248,7 +248,7 @@ class Approach {
     return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm() >= distance2;
   }
   bool is_outside(const Foot& foot) const { return two_sided_ || foot.height >= -1e-6 * size_; }
-  /// Plates within a thickness of a node at the begin are its own neighbourhood.
+  /// Plates within a thickness of a node at the start are its own neighbourhood.
   bool is_neighbourhood(Index f, Index i) const {
     return target_.foot(f, target_.corners(f, at_begin_), at_begin_[i], at_begin_).point.distance2 <
            1.02 * depth_ * depth_;
@@ -301,7 +301,7 @@ class Approach {
   BucketSearch search_;
   std::vector<Eigen::Vector3d> at_begin_, ahead_;
   Eigen::Vector3d mean_velocity_ = Eigen::Vector3d::Zero();
-  double size_ = 0, margin_ = -1, travelled_ = 0, reach_ = 0, most_yielding_ = 0;
+  double size_ = 0, margin_ = -1, travelled_ = 0, reach_ = 0, largest_inverse_mass_ = 0;
   std::size_t sorts_ = 0;
 };
 

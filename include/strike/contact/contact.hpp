@@ -12,7 +12,7 @@
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>
 #include <strike/contact/pairing.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/step.hpp>
 #include <strike/pick.hpp>
 #include <strike/text.hpp>
 
@@ -71,7 +71,7 @@ class Contact {
   }
 
   template <class N, class Ledger>
-  void touch(N& nodes, const Step& step, Ledger& ledger) {
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
     all_.gather(nodes);
     all_.learn_what_is_held(nodes);
     pairs_.clear();
@@ -92,17 +92,18 @@ class Contact {
   /// The stable step together with elements that have the stable step `dt` alone.
   double stable_step(double dt) const {
     double kappa = kappa_;
-    if constexpr (requires { law_.kappa(1.0); }) kappa = std::max(kappa, law_.kappa(meeting_->largest_yielding()));
+    if constexpr (requires { law_.kappa(1.0); }) kappa = std::max(kappa, law_.kappa(meeting_->largest_inverse_mass()));
     return stable_step_with_contact(dt, kappa);
   }
 
   /// Takes the cells of a part that are not alive from the surfaces.
-  void remove(std::size_t part, const std::vector<bool>& alive) requires requires(P p, const ContactNodes n) {
-    p.start(n).remove(part, alive, n);
+  void remove(std::size_t part, const std::vector<bool>& alive)
+    requires requires(P p, const ContactNodes n) { p.start(n).remove(part, alive, n); }
+  {
+    meeting_->remove(part, alive, all_);
   }
-  { meeting_->remove(part, alive, all_); }
 
-  std::string notice() const {
+  std::string warning() const {
     if (beginners_.count == 0) return {};
     return detail::joined({std::to_string(beginners_.count),
                            " nodes begin inside what they may touch, the deepest, node ",
@@ -118,7 +119,7 @@ class Contact {
       if (is_first_[all_.local(i)]) sum += f;
     return sum;
   }
-  /// The impulse on them since the begin.
+  /// The impulse on them since the start.
   const Eigen::Vector3d& impulse() const { return impulse_; }
   /// The forces of the last step, on every node of the scene.
   std::vector<Eigen::Vector3d> forces(std::size_t nodes) const {
@@ -126,7 +127,7 @@ class Contact {
     for (const auto& [i, f] : forces()) all.at(i) = f;
     return all;
   }
-  /// The largest depth in the last step, less what was given away at the begin [length].
+  /// The largest depth in the last step, less what was given away at the start [length].
   double penetration() const {
     double most = 0;
     for (const ContactPair& pair : pairs_) most = std::max(most, -pair.gap);
@@ -151,9 +152,9 @@ class Contact {
     const double speed = sliding.norm();
     if (!(speed > 0)) return;
     const Eigen::Vector3d along = (1 / speed) * sliding;
-    const double yielding = pair.yielding_along(all_, along);
-    if (!(yielding > 0)) return;
-    pair.drag(all_, -friction_.impulse(pair.impulse, speed / yielding) * along);
+    const double inverse_effective_mass = pair.inverse_effective_mass_along(all_, along);
+    if (!(inverse_effective_mass > 0)) return;
+    pair.drag(all_, -friction_.impulse(pair.impulse, speed / inverse_effective_mass) * along);
   }
 
   std::vector<std::pair<Index, Eigen::Vector3d>> forces() const {
@@ -183,7 +184,8 @@ Contact(P, const Policies&...) -> Contact<P, detail::LawOf<Policies...>, detail:
 
 /// What is no contact gets one sentence.
 template <class P, class Law, class F>
-requires(!detail::Pairing<P> || std::is_same_v<Law, detail::NoContactPolicy>) class Contact<P, Law, F> {
+  requires(!detail::Pairing<P> || std::is_same_v<Law, detail::NoContactPolicy>)
+class Contact<P, Law, F> {
  public:
   static constexpr bool pairs = detail::Pairing<P>, has_laws = !std::is_same_v<Law, detail::NoContactPolicy>;
 

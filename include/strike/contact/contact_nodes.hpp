@@ -10,7 +10,6 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -63,7 +62,7 @@ class ContactNodes {
     for (auto& pair : pairs) {
       of(pair.node);
       for (unsigned k = 0; k < pair.count; ++k) of(pair.corners[k]);
-      pair.yielding = pair.yielding_along(*this, pair.normal);
+      pair.inverse_effective_mass = pair.inverse_effective_mass_along(*this, pair.normal);
     }
   }
 
@@ -100,7 +99,7 @@ class ContactNodes {
     return held_[i] < 0 ? a : Eigen::Vector3d(free_[static_cast<std::size_t>(held_[i])] * a);
   }
   /// What a unit impulse along a unit vector changes of the velocity along it: 1/m of a free node [1/mass].
-  double yielding(Index i, const Eigen::Vector3d& a) const {
+  double inverse_mass_along(Index i, const Eigen::Vector3d& a) const {
     return held_[i] < 0 ? inverse_mass_[i] : inverse_mass_[i] * free(i, a).dot(a);
   }
   double inverse_mass(Index i) const { return inverse_mass_[i]; }
@@ -142,7 +141,7 @@ class ContactNodes {
   bool knows_held_ = false;
 };
 
-/// A node that touches: x_s - sum of N_I x_I = (gap less what was given away at the begin) along the normal. Impulses J
+/// A node that touches: x_s - sum of N_I x_I = (gap less what was given away at the start) along the normal. Impulses J
 /// on the node and -N_I J on the corners along the line through both points keep momentum and its moment.
 struct ContactPair {
   Index node = 0;
@@ -153,13 +152,13 @@ struct ContactPair {
   double gap = 0;                                    ///< negative where it has entered [length]
   double stiffness = 0;                              ///< what a law of springs gives it [force/length]
   double* stored = nullptr;  ///< the energy that the law has taken while the node touches, less what it gave back
-  double yielding = 0;       ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
-  double impulse = 0;        ///< what the law has given in this step [force time]
+  double inverse_effective_mass = 0;  ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
+  double impulse = 0;                 ///< what the law has given in this step [force time]
 
   /// But for `stored`, which the next step gives it.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(node, corners, N, count, normal, gap, stiffness, yielding, impulse);
+    archive(node, corners, N, count, normal, gap, stiffness, inverse_effective_mass, impulse);
   }
 
   /// Velocity of the node relative to the point that it touches.
@@ -175,11 +174,11 @@ struct ContactPair {
     return v;
   }
   /// 1/m* along a unit vector, 1/m_s + sum of N_I^2/m_I; 0 if it cannot be moved, for all its nodes are held.
-  double yielding_along(const ContactNodes& nodes, const Eigen::Vector3d& a) const {
-    double w = nodes.yielding(node, a), free = nodes.inverse_mass(node);
+  double inverse_effective_mass_along(const ContactNodes& nodes, const Eigen::Vector3d& a) const {
+    double w = nodes.inverse_mass_along(node, a), free = nodes.inverse_mass(node);
     for (unsigned i = 0; i < count; ++i) {
       const double share = N[i] * N[i];
-      w += share * nodes.yielding(corners[i], a), free += share * nodes.inverse_mass(corners[i]);
+      w += share * nodes.inverse_mass_along(corners[i], a), free += share * nodes.inverse_mass(corners[i]);
     }
     return w > 1e-6 * free ? w : 0;
   }

@@ -7,6 +7,7 @@
 
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/error.hpp>
+#include <strike/motion/step.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -14,13 +15,14 @@ namespace strike {
 /// The normal law of a contact.
 /// A model has `press(pairs, nodes, step)`: gives the pairs impulses J >= 0 by `pair.push(nodes, J)` and returns the
 /// largest kappa, stiffness over mass [1/time^2], that it has set on a node (0: none), from which the step follows. If
-/// that may exceed what the step allows, also `kappa(yielding)`: what a first touch of a pair with 1/m* may set.
-/// Laws: it never pulls; a contact gives back no more energy than it took; what it does does not depend on threads.
+/// that may exceed what the step allows, also `kappa(inverse_effective_mass)`: what a first touch of a pair with 1/m*
+/// may set. Laws: it never pulls; a contact gives back no more energy than it took; what it does does not depend on
+/// threads.
 template <class L>
-concept ContactLaw = std::copyable<L> &&
-    requires(const L law, std::vector<ContactPair> pairs, ContactNodes nodes, const Step step) {
-  { law.press(pairs, nodes, step) } -> std::convertible_to<double>;
-};
+concept ContactLaw =
+    std::copyable<L> && requires(const L law, std::vector<ContactPair> pairs, ContactNodes nodes, const Step step) {
+      { law.press(pairs, nodes, step) } -> std::convertible_to<double>;
+    };
 
 /// The stable step of elements that have the stable step `dt` alone, with a contact of kappa = k/m* on some of their
 /// nodes: dt sqrt(2/(1 + sqrt(1 + s^2))), s = kappa dt^2/2. Exact for the end of a uniform chain [derived]: the
@@ -44,7 +46,8 @@ struct Kinematic {
       for (ContactPair& pair : pairs) {
         const double approach = pair.normal.dot(pair.velocity(nodes));
         const double wanted = std::min(-pair.gap / step.dt, std::max(0.0, -approach));
-        if (approach < wanted && pair.yielding > 0) pair.push(nodes, (wanted - approach) / pair.yielding);
+        if (approach < wanted && pair.inverse_effective_mass > 0)
+          pair.push(nodes, (wanted - approach) / pair.inverse_effective_mass);
       }
     return 0;
   }
@@ -59,7 +62,7 @@ struct Penalty {
   double fraction = 0.5;
   double stiffness = 0;
 
-  double kappa(double yielding) const { return stiffness * yielding; }
+  double kappa(double inverse_effective_mass) const { return stiffness * inverse_effective_mass; }
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
     std::vector<double> sum(nodes.size(), 0.0);  // kappa_I
     const auto add = [&](const ContactPair& pair) {
@@ -78,7 +81,9 @@ struct Penalty {
     };
     const double allowed = fraction / (step.dt * step.dt);
     for (ContactPair& pair : pairs) {
-      pair.stiffness = !(pair.yielding > 0) ? 0 : stiffness > 0 ? stiffness : allowed / pair.yielding;
+      pair.stiffness = !(pair.inverse_effective_mass > 0) ? 0
+                       : stiffness > 0                    ? stiffness
+                                                          : allowed / pair.inverse_effective_mass;
       add(pair);
     }
     double most = 0;
@@ -90,7 +95,7 @@ struct Penalty {
       before.push_back(pair.normal.dot(Eigen::Vector3d(pair.velocity(nodes) - pair.kicked(nodes))));
     }
     for (ContactPair& pair : pairs)
-      if (pair.gap < 0 && pair.yielding > 0) pair.push(nodes, pair.stiffness * -pair.gap * step.kick());
+      if (pair.gap < 0 && pair.inverse_effective_mass > 0) pair.push(nodes, pair.stiffness * -pair.gap * step.kick());
     limit_what_comes_back(pairs, before, nodes);
     return stiffness > 0 ? most : allowed;  // the same in every step: one that changed would cost balance
   }
@@ -105,7 +110,7 @@ struct Penalty {
     for (int sweep = 0; sweep < 2; ++sweep)  // what one gives less, its neighbours work less
       for (std::size_t p = 0; p < pairs.size(); ++p) {
         ContactPair& pair = pairs[p];
-        const double J = pair.impulse, w = pair.yielding, v = mean(p);
+        const double J = pair.impulse, w = pair.inverse_effective_mass, v = mean(p);
         if (!(J * v > *pair.stored)) continue;
         const double alone = v - 0.5 * w * J, left = std::max(0.0, alone * alone + 2 * w * *pair.stored);
         pair.push(nodes, std::clamp((std::sqrt(left) - alone) / w, 0.0, J) - J);

@@ -16,8 +16,8 @@
 #include <strike/contact/target.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
 #include <strike/mesh/surface.hpp>
+#include <strike/motion/step.hpp>
 
 namespace strike {
 
@@ -68,9 +68,9 @@ class SurfaceMeeting {
   void moved(const ContactNodes& all, double dt) {
     for (auto& approach : approaches_) approach.moved(all, dt);
   }
-  double largest_yielding() const {
+  double largest_inverse_mass() const {
     double most = 0;
-    for (const auto& approach : approaches_) most = std::max(most, approach.largest_yielding());
+    for (const auto& approach : approaches_) most = std::max(most, approach.largest_inverse_mass());
     return most;
   }
   std::size_t sorts() const {
@@ -152,7 +152,7 @@ struct TwoWay {
 };
 
 /// A surface that may touch itself: one that folds, or several bodies in one. What of a plate lies within a thickness
-/// of a node at the begin never touches it.
+/// of a node at the start never touches it.
 struct SelfContact {
   Surface surface;
 
@@ -174,7 +174,9 @@ struct NodeToRigid {
 
   std::vector<Index> numbers() const { return detail::ascending(nodes); }
   const std::vector<Index>& first() const { return nodes; }
-  auto start(const ContactNodes& all) const requires RigidBody<Body> {
+  auto start(const ContactNodes& all) const
+    requires RigidBody<Body>
+  {
     return detail::RigidApproach<Body>{detail::to_local(numbers(), all), body, 0.5 * thickness};
   }
 };

@@ -12,8 +12,8 @@
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
 #include <strike/mesh/surface.hpp>
+#include <strike/motion/step.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -79,7 +79,7 @@ class RigidApproach {
 
   void begin(const ContactNodes& all, Beginners& beginners) {
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
-      most_yielding_ = std::max(most_yielding_, all.inverse_mass(nodes_[s]));
+      largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(nodes_[s]));
       const double gap = body_.clearance(all.x[nodes_[s]]).gap - depth_;
       if (!(gap < 0)) continue;
       touches_[s].given_away = -gap;
@@ -103,7 +103,7 @@ class RigidApproach {
     }
   }
   void moved(const ContactNodes&, double) {}
-  double largest_yielding() const { return most_yielding_; }
+  double largest_inverse_mass() const { return largest_inverse_mass_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -127,7 +127,7 @@ class RigidApproach {
   Body body_;
   double depth_;
   std::vector<Touch> touches_;
-  double most_yielding_ = 0;
+  double largest_inverse_mass_ = 0;
 };
 
 }  // namespace detail

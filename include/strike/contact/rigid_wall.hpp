@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/step.hpp>
 
 namespace strike {
 
@@ -31,7 +31,7 @@ class RigidWall {
   }
 
   template <class N, class Ledger>
-  void touch(N& nodes, const Step& step, Ledger& ledger) {
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
     using Number = typename N::Number;
     using Vector = typename N::Vector;
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
@@ -41,11 +41,11 @@ class RigidWall {
       if (!(excess > 0)) continue;
       const Index i = nodes.number(place);
       const Eigen::Vector3d away = nodes.free(i, normal_);
-      const double yielding =
+      const double inverse_effective_mass =
           away.dot(normal_);  // 1 where the node is free to move along the normal, 0 where it is not
-      if (!(yielding > 1e-6)) continue;
+      if (!(inverse_effective_mass > 1e-6)) continue;
       const double mass = nodes.mass(i);
-      const Number push = mass * (excess / step.dt) / yielding;
+      const Number push = mass * (excess / step.dt) / inverse_effective_mass;
       const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
       const Number speed = sliding.norm();
       const Number drag = friction_ > 0 && speed > 0 ? min(friction_ * push / speed, Number(mass)) : Number(0.0);
@@ -65,7 +65,7 @@ class RigidWall {
 
   /// The force of the wall on the nodes in the last step.
   const Eigen::Vector3d& force() const { return force_; }
-  /// Its impulse since the begin.
+  /// Its impulse since the start.
   const Eigen::Vector3d& impulse() const { return impulse_; }
 
   template <class Archive>

@@ -15,7 +15,7 @@
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/step.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -25,7 +25,7 @@ namespace strike {
 /// Node after node, again and again until all fit.
 class Tied {
  public:
-  /// Error, at the begin: a node farther from the surface than `tolerance`, if 0 a tenth of the mean face [length].
+  /// Error, at the start: a node farther from the surface than `tolerance`, if 0 a tenth of the mean face [length].
   Tied(std::vector<Index> nodes, Surface surface, double tolerance = 0)
       : nodes_(detail::ascending(std::move(nodes))), surface_(std::move(surface)), tolerance_(tolerance) {
     if (nodes_.empty()) throw Error("strike: a Tied has no nodes; give it some, such as surface_nodes(faces).");
@@ -66,7 +66,7 @@ class Tied {
   }
 
   template <class N, class Ledger>
-  void touch(N& nodes, const Step& step, Ledger& ledger) {
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
     all_.gather(nodes);
     all_.learn_what_is_held(nodes);
     all_.gather_forces(nodes, ties_, step.kick());
@@ -107,7 +107,9 @@ class Tied {
     const Eigen::Vector3d v = off / dt;
     for (int a = 0; a < 3; ++a) {
       tie.normal = Eigen::Vector3d::Unit(a);
-      if (const double yielding = tie.yielding_along(all_, tie.normal); yielding > 0) tie.push(all_, -v[a] / yielding);
+      if (const double inverse_effective_mass = tie.inverse_effective_mass_along(all_, tie.normal);
+          inverse_effective_mass > 0)
+        tie.push(all_, -v[a] / inverse_effective_mass);
     }
     return v.norm();
   }

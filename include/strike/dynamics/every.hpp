@@ -6,7 +6,7 @@
 
 namespace strike {
 
-/// An observer that acts at the begin and then at the first step at or after each multiple of an interval:
+/// An observer that acts at the start and then at the first step at or after each multiple of an interval:
 /// `run.until(80e-6, Every{1e-6, [&] { history.row(run.time(), length()); }})`. At the end of a run that was given up
 /// it acts once more, so that the last state is on record.
 template <class Action>

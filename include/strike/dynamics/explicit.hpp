@@ -8,12 +8,12 @@
 #include <vector>
 
 #include <strike/dynamics/arrangement.hpp>
-#include <strike/dynamics/clock.hpp>
-#include <strike/dynamics/execution.hpp>
-#include <strike/dynamics/ledger.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/error.hpp>
+#include <strike/motion/clock.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/motion/ledger.hpp>
 
 namespace strike {
 
@@ -55,11 +55,11 @@ class Explicit {
     damp();
     kick();
     constrain();
-    touch();
-    audit();
+    resolve_contact();
+    close_balance();
     drift();
-    deform();
-    push();
+    compute_forces();
+    apply_loads();
   }
 
   /// Steps until the time `end`, or until an observer `stops()` or a relaxation is at rest, and calls the observers
@@ -95,13 +95,13 @@ class Explicit {
   /// What bounds the step, at work.
   const auto& step_bound() const { return bound_; }
   /// What the user should know before believing the results, a sentence each.
-  std::vector<std::string> notices() const {
+  std::vector<std::string> warnings() const {
     std::vector<std::string> all;
     std::apply(
         [&](const auto&... thing) {
           const auto ask = [&](const auto& t) {
-            if constexpr (requires { t.notice(); })
-              if (const std::string notice = t.notice(); !notice.empty()) all.push_back(notice);
+            if constexpr (requires { t.warning(); })
+              if (const std::string warning = t.warning(); !warning.empty()) all.push_back(warning);
           };
           (ask(thing), ...);
         },
@@ -110,7 +110,7 @@ class Explicit {
     return all;
   }
   /// The energies at the last time at which both neighbouring velocities are known, one step back; with Subcycling at
-  /// the begin of the present cycle.
+  /// the start of the present cycle.
   const Energy& energy() const { return energy_; }
   Eigen::Vector3d momentum() const {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
@@ -183,12 +183,12 @@ class Explicit {
     });
     ledger_.initial = ledger_.kinetic + ledger_.internal.settled();
     energy_ = ledger_.energy();
-    deform();
+    compute_forces();
     if constexpr (Cycle::subcycles) {
       cycle_.begin(things_, nodes_);
-      deform();
+      compute_forces();
     }
-    push();
+    apply_loads();
   }
 
   static Running start(std::tuple<Things...> things, Nodes& nodes, std::vector<std::vector<Index>> orders) {
@@ -264,7 +264,7 @@ class Explicit {
       return false;
   }
 
-  /// Stops all nodes where the damping says so; they go on as at the begin, under half a kick.
+  /// Stops all nodes where the damping says so; they go on as at the start, under half a kick.
   void damp() {
     if constexpr (Damping::damps) {
       if (!damping_.passes_peak(ledger_.kinetic, ledger_.internal.settled())) return;
@@ -327,14 +327,15 @@ class Explicit {
     });
   }
 
-  void touch() {
+  void resolve_contact() {
     each([&](auto& thing) {
-      if constexpr (requires { thing.touch(nodes_, step_, ledger_); }) thing.touch(nodes_, step_, ledger_);
+      if constexpr (requires { thing.resolve_contact(nodes_, step_, ledger_); })
+        thing.resolve_contact(nodes_, step_, ledger_);
     });
   }
 
   /// Closes the balance at the time n and begins the next.
-  void audit() {
+  void close_balance() {
     if (step_.number == 1) begin_balance();
     ledger_.kinetic += ledger_.impulses_before();
     if (cycle_.is_complete()) {
@@ -351,7 +352,7 @@ class Explicit {
   }
 
   /// The kinetic energy with which central differences begin: less than m v.v/2 by f.(v+ - v) kick/2, for the first
-  /// half step is one under the force f at its begin alone. (From rest under a constant f they keep m v-.v+/2 - f x at
+  /// half step is one under the force f at its start alone. (From rest under a constant f they keep m v-.v+/2 - f x at
   /// -(kick f)^2/(2 m).)
   void begin_balance() {
     ledger_.kinetic -= 0.5 * step_.kick() * force_power();
@@ -388,13 +389,13 @@ class Explicit {
       clock_.advance(step_.dt);
   }
 
-  void deform() {
+  void compute_forces() {
     const StableStep before = std::exchange(stable_, {});
     each([&](auto& thing) {
-      if constexpr (requires { thing.deform(nodes_, step_.dt, ledger_, execution_); }) {
+      if constexpr (requires { thing.compute_forces(nodes_, step_.dt, ledger_, execution_); }) {
         StableStep mine;
         try {
-          mine = cycle_.deform(thing, nodes_, step_.dt, ledger_, execution_);
+          mine = cycle_.compute_forces(thing, nodes_, step_.dt, ledger_, execution_);
         } catch (const Error& error) {
           stop(error.what());
         }
@@ -422,10 +423,10 @@ class Explicit {
     });
   }
 
-  void push() {
+  void apply_loads() {
     each([&](auto& thing) {
-      if constexpr (requires { thing.push(nodes_, clock_.time()); }) {
-        thing.push(nodes_, clock_.time());
+      if constexpr (requires { thing.apply_loads(nodes_, clock_.time()); }) {
+        thing.apply_loads(nodes_, clock_.time());
         ledger_.external.book(0.5 * step_.dt * thing.power(nodes_));
       }
     });
@@ -472,10 +473,9 @@ class Explicit {
 
 /// A scene that the compiler complains about gets no second complaint.
 template <class Numbers, class Execution, class Bound, class Damping, class Cycle, class... Things>
-requires(
-    !Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_available<Execution>() ||
-    !detail::is_bounded<Bound, Things...> ||
-    !detail::can_cycle<Cycle, Bound, Damping>) class Explicit<Numbers, Execution, Bound, Damping, Cycle, Things...> {
+  requires(!Scene<Things...>::sound || !Numbers::is_scalar || !detail::is_available<Execution>() ||
+           !detail::is_bounded<Bound, Things...> || !detail::can_cycle<Cycle, Bound, Damping>)
+class Explicit<Numbers, Execution, Bound, Damping, Cycle, Things...> {
  public:
   explicit Explicit(Scene<Things...>, ExplicitOptions = {}, auto...) {
     static_assert(detail::is_available<Execution>(),

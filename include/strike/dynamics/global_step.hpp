@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/step_bound.hpp>
 #include <strike/element/element.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -40,10 +40,10 @@ struct Watched : M {
 };
 
 template <class E, class M>
-concept Resisting = requires(const E e, typename E::template State<M, double> state, const M m,
-                             const Nodal<double, E::nodes> x) {
-  { e.resistance(state, m, x, x, 1.0)(x, x) } -> std::convertible_to<Nodal<double, E::nodes>>;
-};
+concept Resisting =
+    requires(const E e, typename E::template State<M, double> state, const M m, const Nodal<double, E::nodes> x) {
+      { e.resistance(state, m, x, x, 1.0)(x, x) } -> std::convertible_to<Nodal<double, E::nodes>>;
+    };
 
 /// An element that remembers its critical rate, one over the step that it allows alone.
 template <class E>
@@ -212,8 +212,9 @@ class GlobalStep::Running {
     const auto visit = [&](auto& thing, auto& asked) {
       if constexpr (!std::is_same_v<std::decay_t<decltype(asked)>, detail::NoPart>) f(thing, asked);
     };
-    [&]<std::size_t... i>(std::index_sequence<i...>) { (visit(std::get<i>(things), std::get<i>(blocks_)), ...); }
-    (std::make_index_sequence<std::tuple_size_v<Things>>{});
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (visit(std::get<i>(things), std::get<i>(blocks_)), ...);
+    }(std::make_index_sequence<std::tuple_size_v<Things>>{});
   }
 
   /// What the mesh allows as it stands: of those asked what is left of their bound, of the others their own.

@@ -2,11 +2,11 @@
 #include <type_traits>
 #include <utility>
 
-#include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/relaxation.hpp>
 #include <strike/dynamics/step_bound.hpp>
 #include <strike/dynamics/subcycling.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/motion/nodes.hpp>
 #include <strike/pick.hpp>
 #include <strike/scalar/scalar.hpp>
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <strike/dynamics/gather.hpp>
 #include <strike/dynamics/patches.hpp>
+#include <strike/motion/gather.hpp>
 
 namespace strike::detail {
 

@@ -8,15 +8,16 @@
 #include <vector>
 
 #include <strike/dynamics/erosion.hpp>
-#include <strike/dynamics/gather.hpp>
-#include <strike/dynamics/ledger.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/gather.hpp>
+#include <strike/motion/ledger.hpp>
+#include <strike/motion/motion.hpp>
+#include <strike/motion/nodes.hpp>
 
 namespace strike {
 
@@ -28,9 +29,7 @@ concept HasNodesAndKinematics = requires {
   E::nodes;
 };
 template <class M>
-concept HasKinematics = requires {
-  typename M::Kinematics;
-};
+concept HasKinematics = requires { typename M::Kinematics; };
 
 /// What is wrong with a part, asked in this order.
 enum class Flaw { none, reported, element, material, pair, corners, material_members, element_members, removal };
@@ -181,11 +180,11 @@ class RunningPart {
   /// forces to the nodes and its work to the ledger, and returns the least stable step. Throws if an element is
   /// inverted; no node has moved by then.
   template <class Execution>
-  StableStep deform(Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
-    return deform(nodes, ledger, execution, detail::EveryStep{dt});
+  StableStep compute_forces(Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+    return compute_forces(nodes, ledger, execution, detail::EveryStep{dt});
   }
   template <class Execution, class Turn>
-  StableStep deform(Nodes& nodes, Ledger& ledger, const Execution& execution, const Turn& turn) {
+  StableStep compute_forces(Nodes& nodes, Ledger& ledger, const Execution& execution, const Turn& turn) {
     if constexpr (averages_volume) {
       volume_.clear();
       execution.for_each(patches_.size(), [&](std::size_t p) {
@@ -227,7 +226,7 @@ class RunningPart {
   }
 
   /// What the user should know of the material and of what was deleted, if anything: a sentence each.
-  std::string notice() const {
+  std::string warning() const {
     std::string text = material_notice();
     if constexpr (scales_mass)
       if (added_mass() > 0)
@@ -242,22 +241,36 @@ class RunningPart {
     return text;
   }
   /// What MassScaled has added to its elements [mass].
-  double added_mass() const requires scales_mass { return scaling_.added; }
+  double added_mass() const
+    requires scales_mass
+  {
+    return scaling_.added;
+  }
   /// How many elements have been deleted, and in the last step.
-  std::size_t deleted() const requires erodes { return deleted_; }
-  std::size_t newly_deleted() const requires erodes { return newly_deleted_.deleted; }
+  std::size_t deleted() const
+    requires erodes
+  {
+    return deleted_;
+  }
+  std::size_t newly_deleted() const
+    requires erodes
+  {
+    return newly_deleted_.deleted;
+  }
   /// Whether an element is there, by the numbers as given.
-  std::vector<bool> alive() const requires erodes {
+  std::vector<bool> alive() const
+    requires erodes
+  {
     std::vector<bool> alive(size_);
     for (std::size_t b = 0; b < blocks_.size(); ++b)
       for (std::size_t l = 0; l < count(b); ++l) alive[order_[b * width + l]] = lane(blocks_[b].removal.alive, l) > 0;
     return alive;
   }
   std::string material_notice() const {
-    if constexpr (requires { material_.notice(0.0); })  // of a section: over half waves of four elements
-      return material_.notice(4 * std::sqrt(mass_ / material_.density() / static_cast<double>(size_)));
-    else if constexpr (requires { material_.notice(); })
-      return material_.notice();
+    if constexpr (requires { material_.warning(0.0); })  // of a section: over half waves of four elements
+      return material_.warning(4 * std::sqrt(mass_ / density_of(material_) / static_cast<double>(size_)));
+    else if constexpr (requires { material_.warning(); })
+      return material_.warning();
     else
       return {};
   }
@@ -323,7 +336,7 @@ class RunningPart {
     typename M::template State<double> state{};
     if constexpr (requires { state.internal_energy; }) {
       if constexpr (requires { material_.begin(state); }) material_.begin(state);
-      return mass * (state.internal_energy / material_.density());
+      return mass * (state.internal_energy / density_of(material_));
     } else {
       return (void)mass, Number(0.0);
     }
@@ -467,7 +480,7 @@ class RunningPart {
     }
     const T last = response.internal_work - 0.5 * dt * response.force.cwiseProduct(v).sum();
     const T finite = select(abs(last) <= std::numeric_limits<RealOf<T>>::max(), last, T(0.0));
-    silence(stays, response);
+    zero_if_failed(stays, response);
     response.internal_work = select(stays, response.internal_work, select(there, finite, T(0.0)));
     removal.energy += response.internal_work;
     const T left = select(stays, T(1.0), T(0.0));
@@ -533,7 +546,7 @@ class RunningPart {
   [[gnu::cold]] void check_material() const {
     typename M::template State<double> state{};
     if constexpr (requires { material_.begin(state); }) material_.begin(state);
-    const double density = material_.density(),
+    const double density = density_of(material_),
                  wave = material_.moduli(state, typename M::Kinematics::template Rate<double>{}).wave();
     if (!(density > 0 && wave > 0 && std::isfinite(density) && std::isfinite(wave)))
       throw Error(detail::joined({"strike: the material of part ", std::to_string(number_), " has the density ",

@@ -3,9 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <strike/dynamics/execution.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/execution.hpp>
 
 namespace strike::detail {
 

@@ -2,7 +2,7 @@
 #include <concepts>
 #include <tuple>
 
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/nodes.hpp>
 
 namespace strike {
 
@@ -13,9 +13,7 @@ namespace strike {
 /// - `Running<Nodes, Things>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces
 ///   of a step, replaces the least stable step of all elements by a larger one that is as safe.
 template <class B>
-concept StepBound = std::copyable<B> && requires {
-  typename B::template Running<Nodes<double>, std::tuple<>>;
-};
+concept StepBound = std::copyable<B> && requires { typename B::template Running<Nodes<double>, std::tuple<>>; };
 
 /// The least stable step of all elements: what a run takes unless told otherwise.
 struct ElementStep {

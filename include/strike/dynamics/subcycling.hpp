@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/part.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/motion/motion.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -22,13 +22,13 @@ struct NoSubcycling {
 };
 
 /// Parts whose elements allow steps `multiple` times as large as the least are advanced in every `multiple`-th step
-/// alone, over the whole cycle, and their forces act as impulses at its begin and end (Tuckerman, Berne and Martyna
+/// alone, over the whole cycle, and their forces act as impulses at its start and end (Tuckerman, Berne and Martyna
 /// 1992). Such impulses set fast vibrations into resonance if these reach them (Biesiadecki and Skeel 1993), so that
 /// those elements of a slow part that are near a fast one are advanced in each step too: what is too fast for a slow
 /// part dies out there. The step is the same for a cycle, and the energies are those of the last one that is complete.
 ///   Explicit run{scene, options, Subcycling{}};
 struct Subcycling {
-  std::size_t largest = 8;  ///< multiple; which one saves most is found from the steps of the parts at the begin
+  std::size_t largest = 8;  ///< multiple; which one saves most is found from the steps of the parts at the start
   std::size_t layers = 2;   ///< of elements of a slow part, from a fast one on, that are advanced in each step
 
   static constexpr bool subcycles = true;
@@ -46,8 +46,8 @@ class RunningCycle {
   static constexpr bool is_complete() { return true; }
 
   template <class Part, class Execution>
-  StableStep deform(Part& part, Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
-    return part.deform(nodes, dt, ledger, execution);
+  StableStep compute_forces(Part& part, Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+    return part.compute_forces(nodes, dt, ledger, execution);
   }
 };
 
@@ -125,14 +125,14 @@ class RunningCycle<Subcycling, Nodes> {
   }
 
   template <class Part, class Execution>
-  StableStep deform(Part& part, Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+  StableStep compute_forces(Part& part, Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
     paces_.resize(std::max(paces_.size(), part.number() + 1));
     Pace& pace = paces_[part.number()];
     const StableStep stable = [&] {
       if constexpr (can_wait<Part>)
-        return part.deform(nodes, ledger, execution, Turn{*this, pace, dt});
+        return part.compute_forces(nodes, ledger, execution, Turn{*this, pace, dt});
       else
-        return part.deform(nodes, dt, ledger, execution);
+        return part.compute_forces(nodes, dt, ledger, execution);
     }();
     pace.own_step = stable.dt;
     return stable;
@@ -148,7 +148,7 @@ class RunningCycle<Subcycling, Nodes> {
   }
   /// A sentence for each slow part.
   template <class Things>
-  void tell(const Things& things, std::vector<std::string>& notices) const {
+  void tell(const Things& things, std::vector<std::string>& warnings) const {
     each_part(things, [&](const auto& part, const Pace& pace) {
       if (pace.slow.empty()) return;
       std::string text = joined(
@@ -156,7 +156,7 @@ class RunningCycle<Subcycling, Nodes> {
       if (const std::size_t near = part.size() - slow(part); near > 0)
         text += joined({", but for ", std::to_string(near), " of its ", std::to_string(part.size()),
                         " elements, which are near faster ones"});
-      notices.push_back(text + ".");
+      warnings.push_back(text + ".");
     });
   }
 

@@ -59,11 +59,13 @@ struct Response {
 /// and creates no energy.
 template <class E, class M = Elastic>
 concept Element = std::same_as<typename E::Kinematics, typename M::Kinematics> &&
-    requires(const E e, typename E::template State<M, double> state, const M m, const Nodal<double, E::nodes> x,
-             const Nodal<double, motions<E>> v) {
-  { e.begin(state, m, x) } -> std::convertible_to<std::conditional_t<turns_nodes<E>(), NodalInertia<double>, double>>;
-  { e.advance(state, m, x, v, 1.0) } -> std::same_as<Response<double, motions<E>>>;
-};
+                  requires(const E e, typename E::template State<M, double> state, const M m,
+                           const Nodal<double, E::nodes> x, const Nodal<double, motions<E>> v) {
+                    {
+                      e.begin(state, m, x)
+                    } -> std::convertible_to<std::conditional_t<turns_nodes<E>(), NodalInertia<double>, double>>;
+                    { e.advance(state, m, x, v, 1.0) } -> std::same_as<Response<double, motions<E>>>;
+                  };
 
 /// Turns every spatial tensor that the state declares.
 template <class Turn, class State>

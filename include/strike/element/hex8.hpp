@@ -50,7 +50,7 @@ struct Hex8 {
     begin_point(material, state.material, x);
     const T V = Hex8Gradient<T>(to_modes<T>(x)).volume;
     state.inverse_volume = 1.0 / V;
-    return (0.125 * material.density()) * V;
+    return (0.125 * density_of(material)) * V;
   }
 
   /// `Velocities` are nodal, or become so where they are needed, so that they do not wait in registers.
@@ -68,7 +68,7 @@ struct Hex8 {
     const T eigenvalue = largest_eigenvalue(S), shrinkage = compression * compression, edge = cbrt(V);
     const Hex8Modes<T> u = to_modes<T>(v);
     const T per_volume = compression * state.inverse_volume;  // 1/V
-    const T rho = material.density() * compression, specific_volume = (1.0 / material.density()) * J;
+    const T rho = density_of(material) * compression, specific_volume = (1.0 / density_of(material)) * J;
 
     const Matrix3<T> L = g.gradient_of(u, per_volume);
     const Matrix3<T> L_mid = instant(L, dt);
@@ -95,7 +95,7 @@ struct Hex8 {
     HourglassModes<T> Q{none, none, none, none};
     T hourglass_rate = T(0.0);
     if constexpr (controlled) {
-      const T per_mass = (1.0 / material.density()) * state.inverse_volume, trace_S = stability.trace;
+      const T per_mass = (1.0 / density_of(material)) * state.inverse_volume, trace_S = stability.trace;
       const HourglassElement<T> element{rho, V, edge, per_mass, before.wave(), before.shear, trace_S, T(dt)};
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
         const Vector3<T> rate_k = minus_times(u_k, L, m_k);
@@ -131,7 +131,7 @@ struct Hex8 {
     else
       response.force = to_nodes(g.forces_of(sigma.matrix()));
     if constexpr (requires { material.intact(state.material); })
-      silence(material.intact(state.material) > 0.0, response);
+      zero_if_failed(material.intact(state.material) > 0.0, response);
     return response;
   }
 
@@ -147,13 +147,13 @@ struct Hex8 {
     const SolidKinematics::Rate<T> rate{symmetric_part(g.gradient_of(to_modes<T>(v), per_volume)), J};
     const Moduli<T> moduli = material.moduli(state.material, rate);
     const SymmetricTensor<T> S = T(1.0 / 512.0) * per_volume * per_volume * (g.squared_a() + g.squared_b());
-    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / material.density()) * J};
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / density_of(material)) * J};
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()),
                                               trace(rate.rate_of_deformation));
     Hex8Resistance<T> resistance =
-        Hex8Resistance<T>::in_step(material, moduli, zeta, T(0.125 * material.density() / state.inverse_volume), dt);
+        Hex8Resistance<T>::in_step(material, moduli, zeta, T(0.125 * density_of(material) / state.inverse_volume), dt);
     if constexpr (controlled) {
-      const T rho = material.density() / J;
+      const T rho = density_of(material) / J;
       const HourglassElement<T> element{.density = rho,
                                         .volume = g.volume,
                                         .edge = cbrt(g.volume),
@@ -185,7 +185,7 @@ struct Hex8 {
   static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;
 };
 
-Hex8()->Hex8<>;
+Hex8() -> Hex8<>;
 template <class H>
 Hex8(H) -> Hex8<H>;
 template <class H, class R>

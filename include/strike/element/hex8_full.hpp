@@ -45,7 +45,7 @@ struct Hex8Full {
     for (auto& point : state.material) begin_point(material, point, x);
     const T V = Hex8Gradient<T>(to_modes<T>(x)).volume;
     state.inverse_volume = 1.0 / V;
-    return (0.125 * material.density()) * V;
+    return (0.125 * density_of(material)) * V;
   }
 
   template <class M, class T>
@@ -111,7 +111,7 @@ struct Hex8Full {
       }
 
     const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
-    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / material.density()) * J};
+    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / density_of(material)) * J};
     T q = bulk_viscosity.pressure(before.wave(), stability.crossing_time(before.wave()), theta);
     if constexpr (requires { material.intact(state.material[0]); })
       q = select(intact_volume > 0.0, q * (intact_volume * per_volume), T(0.0));
@@ -131,7 +131,7 @@ struct Hex8Full {
     const Moduli<T> moduli = larger(before, after);
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
     response.critical_rate = stability.vibration(material, moduli, zeta).critical_rate();
-    if constexpr (requires { material.intact(state.material[0]); }) silence(intact > 0.0, response);
+    if constexpr (requires { material.intact(state.material[0]); }) zero_if_failed(intact > 0.0, response);
     return response;
   }
 
@@ -151,7 +151,7 @@ struct Hex8Full {
   }
 };
 
-Hex8Full()->Hex8Full<>;
+Hex8Full() -> Hex8Full<>;
 template <class R>
 Hex8Full(R) -> Hex8Full<R>;
 template <class R, class V>

@@ -24,13 +24,13 @@ struct NoHourglass {
 /// A resistance against the hourglass modes, with the work done against it and the step that it allows; or none.
 /// Laws: it does no work on linear fields (the rates vanish there) and creates no energy.
 template <class H>
-concept HourglassControl = std::same_as<H, NoHourglass> ||
-    requires(const H control, typename H::template State<double> state, const HourglassElement<double> e,
-             const HourglassModes<double> q) {
-  { control.resistance(state, e, q) } -> std::convertible_to<HourglassModes<double>>;
-  { control.work(e, q, q) } -> std::convertible_to<double>;
-  { control.critical_rate(e) } -> std::convertible_to<double>;
-};
+concept HourglassControl =
+    std::same_as<H, NoHourglass> || requires(const H control, typename H::template State<double> state,
+                                             const HourglassElement<double> e, const HourglassModes<double> q) {
+      { control.resistance(state, e, q) } -> std::convertible_to<HourglassModes<double>>;
+      { control.work(e, q, q) } -> std::convertible_to<double>;
+      { control.critical_rate(e) } -> std::convertible_to<double>;
+    };
 
 /// Resistance against the rate of the hourglass modes, a qdot with a = Q rho c V^(2/3)/4 (Flanagan and Belytschko 1981;
 /// LS-DYNA type 3).

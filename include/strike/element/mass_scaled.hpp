@@ -3,10 +3,10 @@
 
 namespace strike {
 
-/// An element whose mass is scaled at the begin so that it allows at least this `step` [time], before the factor of the
+/// An element whose mass is scaled at the start so that it allows at least this `step` [time], before the factor of the
 /// run: for the few that are much smaller than the others. A rate of sqrt(k/m) falls with the root of the mass, and so
 /// at least does that of what is damped. Nodes get the mass; the density in the laws stays. The part tells what was
-/// added: `run.thing<i>().added_mass()`, and in its notice.
+/// added: `run.item<i>().added_mass()`, and in its warning.
 ///   Part{MassScaled{Hex8{}, 2e-4}, copper, mesh.hexahedra}
 template <class E>
 struct MassScaled : E {

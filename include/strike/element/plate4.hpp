@@ -106,7 +106,7 @@ struct Plate4 {
     const Plate4Modes<T> m = to_plate_modes<T>(x);
     const T A = Plate4Frame<T>(m.xi, m.eta).area;
     state.inverse_area = 1.0 / A;
-    const T mass = (0.25 * material.density()) * A;
+    const T mass = (0.25 * density_of(material)) * A;
     return {mass, mass / per_gyration(material, state.inverse_area)};
   }
 
@@ -181,7 +181,7 @@ struct Plate4 {
 
     response.critical_rate = critical_rate(material, state, moduli, control, drilling_stiffness, bb, A, z, h_local, p);
     if constexpr (requires { material.intact(state.material); })
-      silence(material.intact(state.material) > 0.0, response);
+      zero_if_failed(material.intact(state.material) > 0.0, response);
     return response;
   }
 
@@ -194,7 +194,7 @@ struct Plate4 {
   /// limit the step, 8/A (after Hughes, Cohen and Haroun 1978).
   template <class Section, class T>
   static T per_gyration(const Section& material, const T& inverse_area) {
-    return min(T(material.density() / material.rotary_inertia()), 8.0 * inverse_area);
+    return min(T(density_of(material) / material.rotary_inertia()), 8.0 * inverse_area);
   }
 
   template <class Section, class S, class T>
@@ -298,7 +298,7 @@ struct Plate4 {
   T critical_rate(const Section& material, const State<Section, T>& state, const PlateKinematics::Moduli<T>& moduli,
                   const PlateHourglassStiffness<T>& control, const T& drilling_stiffness, const PlaneTensor<T>& S,
                   const T& A, const T& z, const Vector2<T>& h, const Vector2<T>& p) const {
-    const T per_mass = (4.0 / material.density()) * state.inverse_area;
+    const T per_mass = (4.0 / density_of(material)) * state.inverse_area;
     const T per_gyration = this->per_gyration(material, state.inverse_area);  // m/I
     const T L1 = largest_eigenvalue(S), trace_S = trace(S);
     const T l = warping.lever(z);
@@ -329,7 +329,7 @@ struct Plate4 {
   }
 };
 
-Plate4()->Plate4<>;
+Plate4() -> Plate4<>;
 template <class H>
 Plate4(H) -> Plate4<H>;
 template <class H, class W>

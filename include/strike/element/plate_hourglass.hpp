@@ -54,9 +54,10 @@ struct NoPlateHourglass {
 
 /// A stiffness against the hourglass modes of a plate, or none.
 template <class H>
-concept PlateHourglassControl = std::same_as<H, NoPlateHourglass> ||
+concept PlateHourglassControl =
+    std::same_as<H, NoPlateHourglass> ||
     requires(const H control, const PlateHourglassElement<double, PlateKinematics::Moduli<double>> e) {
-  { control.stiffness(e) } -> std::same_as<PlateHourglassStiffness<double>>;
-};
+      { control.stiffness(e) } -> std::same_as<PlateHourglassStiffness<double>>;
+    };
 
 }  // namespace strike

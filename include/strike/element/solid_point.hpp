@@ -60,7 +60,7 @@ void heat(State& state, const T& energy) {
 /// What has failed neither pushes nor limits the step, however distorted it is. In the step in which it fails the
 /// stress before has done its half of the work.
 template <class Flag, class T, int n>
-void silence(const Flag& intact, Response<T, n>& response) {
+void zero_if_failed(const Flag& intact, Response<T, n>& response) {
   response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();
   response.volume = select(intact, response.volume, T(1.0));
   response.critical_rate = select(intact, response.critical_rate, T(0.0));

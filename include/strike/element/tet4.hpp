@@ -104,7 +104,7 @@ struct Tet4 {
     begin_point(material, state.material, x);
     const T V = volume(x);
     state.inverse_volume = 1.0 / V;
-    return (0.25 * material.density()) * V;
+    return (0.25 * density_of(material)) * V;
   }
 
   template <class T>
@@ -129,7 +129,7 @@ struct Tet4 {
     const T per_volume = compression * state.inverse_volume;  // 1/V
     // Half of S, for the masses are rho V/4 and Stability has them rho V/8.
     const SymmetricTensor<T> S = T(1.0 / 72.0) * per_volume * per_volume * g.squared();
-    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / material.density()) * J};
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / density_of(material)) * J};
 
     const Matrix3<T> L_mid = instant(g.gradient_of(v, per_volume), dt);
     const Vector3<T> spin = T(dt) * axial_vector(L_mid);
@@ -155,7 +155,7 @@ struct Tet4 {
     const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
     response.critical_rate = stability.vibration(material, after, zeta).critical_rate();
     if constexpr (requires { material.intact(state.material); })
-      silence(material.intact(state.material) > 0.0, response);
+      zero_if_failed(material.intact(state.material) > 0.0, response);
     return response;
   }
 
@@ -176,7 +176,7 @@ struct Tet4 {
   }
 };
 
-Tet4()->Tet4<>;
+Tet4() -> Tet4<>;
 template <class P>
 Tet4(P) -> Tet4<P>;
 template <class P, class R>

@@ -28,8 +28,8 @@ class AbaqusReader {
     if (model_ != &all_) source_.refuse({"a part has no end: write *END PART after it."});
     Deck deck = finished(std::move(all_.raw), source_).deck;
     deck.title = std::move(title_);
-    skipped_.tell(deck.notices, " was skipped: ");
-    ignored_.tell(deck.notices, " were ignored: ");
+    skipped_.tell(deck.warnings, " was skipped: ");
+    ignored_.tell(deck.warnings, " were ignored: ");
     return deck;
   }
 
@@ -325,7 +325,7 @@ class AbaqusReader {
 /// The mesh of an Abaqus input file (.inp), flat or of parts and instances. Instances are parts; `*ELSET`s serve as
 /// parts too; sets within a part are called "instance.set". C3D8, C3D4, S4, S3 and their kinds (C3D8R, ...) are read,
 /// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; elements of other types are ignored with a
-/// notice, keywords that say no mesh skipped with one. `name` stands in messages. Errors: `*INCLUDE`; solids or shells
+/// warning, keywords that say no mesh skipped with one. `name` stands in messages. Errors: `*INCLUDE`; solids or shells
 /// of higher order, wedges; a number that is none, or is there twice; a node, set, part or instance that is not there.
 inline Deck read_abaqus(std::string_view text, std::string name) {
   return detail::AbaqusReader(detail::Source(text, std::move(name))).read();

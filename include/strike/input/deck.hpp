@@ -48,7 +48,7 @@ struct Deck {
   std::vector<NamedSet> parts = {};           ///< of cells
   std::vector<NamedSet> cell_sets = {};
   std::vector<NamedSet> node_sets = {};
-  std::vector<std::string> notices = {};  ///< what was skipped, dropped or ignored: a sentence each
+  std::vector<std::string> warnings = {};  ///< what was skipped, dropped or ignored: a sentence each
 
   /// The cells of a part or, if no part has that name, of a set of cells. Error: neither is there.
   PartCells part(std::string_view name) const {

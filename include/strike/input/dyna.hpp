@@ -31,7 +31,7 @@ inline const Keyword* find_keyword(std::string_view name) {
 }  // namespace detail::dyna
 
 /// The mesh and the cards of an LS-DYNA keyword file (.k, .key, .dyn) in the standard format, of fixed columns or with
-/// commas. Which keywords are read says docs/read_a_mesh.md; others are skipped with a notice, and so are values that
+/// commas. Which keywords are read says docs/read_a_mesh.md; others are skipped with a warning, and so are values that
 /// have no counterpart here. `name` stands in messages. Errors: `*INCLUDE`; the long formats; elements of higher order,
 /// wedges; a number that is none, or is there twice; a node, set or part that is not there; a material without a
 /// density or a modulus.

@@ -174,8 +174,8 @@ struct DynaDeck : Deck {
     E eos = *found;
     eos.density = std::visit(
         [](const auto& m) -> double {
-          if constexpr (requires { m.reference_density; })
-            return m.reference_density;
+          if constexpr (requires { m.density; })
+            return m.density;
           else if constexpr (requires { m.eos; })
             return m.eos.density;
           else
@@ -219,7 +219,7 @@ struct DynaDeck : Deck {
     for (const Card& card : cards)
       if (card.number == number) return card;
     throw Error(detail::joined({"Part ", part, " names the ", kind, " ", std::to_string(number),
-                                ", which the deck does not have or the reader skipped: see its notices."}));
+                                ", which the deck does not have or the reader skipped: see its warnings."}));
   }
 };
 

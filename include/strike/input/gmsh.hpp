@@ -48,8 +48,8 @@ class GmshReader {
     if (version_ == 0) source_.refuse({"the file is empty: save it from gmsh as .msh of version 2.2 or 4.1."});
     Deck deck = finished(std::move(raw_), source_).deck;
     std::erase_if(deck.parts, [](const NamedSet& part) { return part.members.empty(); });
-    skipped_.tell(deck.notices, " was skipped: ");
-    ignored_.tell(deck.notices, " were ignored: ");
+    skipped_.tell(deck.warnings, " was skipped: ");
+    ignored_.tell(deck.warnings, " were ignored: ");
     return deck;
   }
 

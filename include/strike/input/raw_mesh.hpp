@@ -284,11 +284,11 @@ inline Finished finished(RawMesh raw, const Source& source) {
   deck.cell_sets = resolved(std::move(raw.element_sets), file_elements, Numbering(std::move(raw.ignored_elements)),
                             cell_place, "element", source);
   if (marks > 0)
-    deck.notices.push_back(
+    deck.warnings.push_back(
         joined({"Surface elements on solids (", std::to_string(marks), ") mark faces, and are no plates."}));
   if (orphans > 0)
-    deck.notices.push_back(joined({"Nodes without an element (", std::to_string(orphans), ", the first has the number ",
-                                   std::to_string(orphan), ") were dropped."}));
+    deck.warnings.push_back(joined({"Nodes without an element (", std::to_string(orphans),
+                                    ", the first has the number ", std::to_string(orphan), ") were dropped."}));
   return result;
 }
 

@@ -183,7 +183,7 @@ class Skipped {
       known->lines.push_back(line);
   }
   bool empty() const { return kinds_.empty(); }
-  /// Adds the notices: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
+  /// Adds the warnings: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
   void tell(std::vector<std::string>& all, std::string_view why) const {
     for (const auto& [name, count, lines] : kinds_) {
       std::string places = lines.size() == 1 ? "line " : "lines ";

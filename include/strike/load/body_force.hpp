@@ -2,7 +2,8 @@
 #include <utility>
 
 #include <strike/load/curve.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/motion.hpp>
+#include <strike/motion/nodes.hpp>
 
 namespace strike {
 
@@ -14,7 +15,7 @@ class BodyForce {
       : acceleration_(std::move(acceleration)), history_(std::move(history)) {}
 
   template <class N>
-  void push(N& nodes, double time) {
+  void apply_loads(N& nodes, double time) {
     now_ = history_(time) * acceleration_;
     const auto g = N::kept(now_.cast<typename N::Number>());
     for (std::size_t k = 0; k < nodes.size(); ++k) nodes.force()[k] += nodes.mass()[k] * g;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <strike/load/curve.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/mesh/mesh.hpp>
 
 namespace strike {
 
@@ -19,7 +19,7 @@ class NodalForce {
     for (const Index i : nodes_) nodes.check_number(i);
   }
   template <class N>
-  void push(N& nodes, double time) {
+  void apply_loads(N& nodes, double time) {
     now_ = history_(time) * force_;
     for (const Index i : nodes_) nodes.add_force(i, now_.cast<typename N::Number>());
   }

@@ -3,8 +3,10 @@
 #include <vector>
 
 #include <strike/load/curve.hpp>
-#include <strike/mesh/nodes.hpp>
 #include <strike/mesh/select.hpp>
+#include <strike/motion/held_directions.hpp>
+#include <strike/motion/nodes.hpp>
+#include <strike/motion/step.hpp>
 
 namespace strike {
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <strike/load/curve.hpp>
-#include <strike/mesh/nodes.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -22,7 +21,7 @@ class Pressure {
       for (const Index i : face.nodes) nodes.check_number(i);
   }
   template <class N>
-  void push(N& nodes, double time) {
+  void apply_loads(N& nodes, double time) {
     const double p = history_(time);
     forces_.resize(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i) {

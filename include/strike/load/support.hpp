@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include <strike/mesh/nodes.hpp>
 #include <strike/mesh/select.hpp>
+#include <strike/motion/step.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -64,11 +64,13 @@ class Clamped : public Support {
 };
 
 /// Nodes that do not move, but turn.
-class Hinged : public Support {
+class Pinned : public Support {
  public:
-  explicit Hinged(std::vector<Index> nodes)
+  explicit Pinned(std::vector<Index> nodes)
       : Support(std::move(nodes), {unit(Axis::x), unit(Axis::y), unit(Axis::z)}) {}
 };
+
+using Hinged = Pinned;
 
 /// Nodes in a plane of symmetry: they do not move along its normal and turn about that alone.
 class Symmetry : public Support {

@@ -7,7 +7,7 @@ namespace strike {
 
 /// Isotropic hypoelasticity: the objective rate of the Cauchy stress is lambda tr(D) I + 2 G D.
 struct Elastic {
-  double reference_density;  ///< in the undeformed configuration
+  double density;  ///< in the undeformed configuration
   double youngs_modulus;
   double poissons_ratio = 0;
 
@@ -20,7 +20,6 @@ struct Elastic {
     auto spatial_tensors() { return std::tie(stress); }
   };
 
-  double density() const { return reference_density; }
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }
   double bulk_modulus() const { return youngs_modulus / (3 * (1 - 2 * poissons_ratio)); }
 

@@ -42,8 +42,11 @@ struct Fluid {
     state = {};
     state.pressure = begin_eos(eos, state);
   }
-  double viscosity() const requires requires(Viscosity v) { v.viscosity; }
-  { return viscous.viscosity; }
+  double viscosity() const
+    requires requires(Viscosity v) { v.viscosity; }
+  {
+    return viscous.viscosity;
+  }
 
   template <class T>
   SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {

@@ -5,12 +5,29 @@
 
 namespace strike {
 
+/// The density of a material in its reference configuration, a member `density` or the function `density()`: mass per
+/// volume, of a plate's section per area.
+template <class M>
+  requires requires(const M m) {
+    { m.density() } -> std::convertible_to<double>;
+  }
+double density_of(const M& material) {
+  return material.density();
+}
+template <class M>
+  requires requires(const M m) {
+    { m.density } -> std::convertible_to<double>;
+  }
+double density_of(const M& material) {
+  return material.density;
+}
+
 /// A material: the rate of deformation in, the stress out. It knows no rotation, no mesh and no time loop.
 ///
 /// A model has
 /// - `Kinematics`, the pair of measure and stress (strike/material/kinematics.hpp), and `State<T>`, what it remembers,
 /// an aggregate that begins at rest;
-/// - `density()`, in the reference configuration: mass per volume, of a plate's section per area;
+/// - `density`, a number or a function without arguments, see density_of;
 /// - `stress(state, rate, dt)`: advances the state over dt and returns the stress at its end; `stress(state)`: the part
 /// of
 ///   it that is remembered;
@@ -28,7 +45,7 @@ namespace strike {
 template <class M>
 concept Material = requires(const M m, typename M::template State<double> state,
                             typename M::Kinematics::template Rate<double> rate, double dt) {
-  { m.density() } -> std::convertible_to<double>;
+  { density_of(m) } -> std::convertible_to<double>;
   { m.stress(state, rate, dt) } -> std::same_as<typename M::Kinematics::template Stress<double>>;
   { m.stress(state) } -> std::convertible_to<typename M::Kinematics::template Stress<double>>;
   { m.moduli(state, rate) } -> std::same_as<typename M::Kinematics::template Moduli<double>>;

@@ -15,9 +15,7 @@ namespace strike {
 namespace detail {
 
 template <class Failure>
-inline constexpr bool leaves_fluid = requires(typename Failure::template State<double> state) {
-  state.solid;
-};
+inline constexpr bool leaves_fluid = requires(typename Failure::template State<double> state) { state.solid; };
 
 /// The solids whose elasticity is linear and isotropic, as a Solid.
 template <class S>
@@ -30,13 +28,12 @@ struct LinearSolid<Elastic> {
   static constexpr bool is = true;
   using Parts = Solid<LinearEos, ElasticStrength>;
   static Parts parts(const Elastic& elastic) {
-    return {{elastic.density(), elastic.bulk_modulus()}, {elastic.shear_modulus()}};
+    return {{density_of(elastic), elastic.bulk_modulus()}, {elastic.shear_modulus()}};
   }
 };
 template <class Law, class Failure>
-requires(
-    (FlowLaw<Law> ||
-     std::same_as<Law, ElasticStrength>)&&!leaves_fluid<Failure>) struct LinearSolid<Solid<LinearEos, Law, Failure>> {
+  requires((FlowLaw<Law> || std::same_as<Law, ElasticStrength>) && !leaves_fluid<Failure>)
+struct LinearSolid<Solid<LinearEos, Law, Failure>> {
   static constexpr bool is = true;
   using Parts = Solid<LinearEos, Law, Failure>;
   static const Parts& parts(const Parts& solid) { return solid; }
@@ -160,11 +157,14 @@ struct PlaneStress {
     PlaneTensor<T> stress{};
   };
 
-  double density() const { return solid.density(); }
+  double density() const { return density_of(solid); }
 
   /// What the user should know, if anything.
-  std::string notice() const requires requires(S s) { s.notice(); }
-  { return solid.notice(); }
+  std::string warning() const
+    requires requires(S s) { s.warning(); }
+  {
+    return solid.warning();
+  }
 
   template <class T>
   PlaneTensor<T> stress(State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt) const {
@@ -202,14 +202,14 @@ struct PlaneStress {
   }
 
   template <class T>
-  requires requires(State<T> state) { state.intact; }
-  T intact(const State<T>& state) const { return state.intact; }
+    requires requires(State<T> state) { state.intact; }
+  T intact(const State<T>& state) const {
+    return state.intact;
+  }
 
  private:
   template <class T>
-  static constexpr bool can_fail = requires(State<T> state) {
-    state.intact;
-  };
+  static constexpr bool can_fail = requires(State<T> state) { state.intact; };
 
   template <class T, std::size_t n>
   void advance(std::span<State<T>, n> points, std::span<const PlaneStressKinematics::Rate<T>, n> rates,

@@ -55,8 +55,11 @@ struct Solid {
   }
 
   /// What the user should know, if anything.
-  std::string notice() const requires requires(S law) { law.notice(); }
-  { return strength.notice(); }
+  std::string warning() const
+    requires requires(S law) { law.warning(); }
+  {
+    return strength.warning();
+  }
 
   template <class T>
   SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {
@@ -96,8 +99,10 @@ struct Solid {
   }
 
   template <class T>
-  requires requires(State<T> state) { state.intact; }
-  T intact(const State<T>& state) const { return state.intact; }
+    requires requires(State<T> state) { state.intact; }
+  T intact(const State<T>& state) const {
+    return state.intact;
+  }
 
  private:
   template <class T>

@@ -122,7 +122,7 @@ class Vumat {
   template <class T>
   struct State : Point<T> {
     Vector3<T> axis_1 = Vector3<T>::Unit(0), axis_2 = Vector3<T>::Unit(1);  ///< of the routine's frame, in space
-    T time{};  ///< since the begin; the largest of the lanes counts
+    T time{};  ///< since the start; the largest of the lanes counts
 
     auto spatial_tensors() { return std::tie(this->stress, axis_1, axis_2); }
   };

@@ -42,7 +42,7 @@ struct ZeroNormalStress {
     void spatial_tensors() = delete;  // the frame goes with the plate
   };
 
-  double density() const { return solid.density(); }
+  double density() const { return density_of(solid); }
 
   /// The state before the first step.
   template <class T>
@@ -52,8 +52,11 @@ struct ZeroNormalStress {
   }
 
   /// What the user should know, if anything.
-  std::string notice() const requires requires(S s) { s.notice(); }
-  { return solid.notice(); }
+  std::string warning() const
+    requires requires(S s) { s.warning(); }
+  {
+    return solid.warning();
+  }
 
   /// The root a = d_zz dt of f(a) = sigma_zz, which rises, by secants that a bracket keeps safe: each from the state
   /// before the step. The first guess is the elastic one, exact where nothing flows.
@@ -108,12 +111,17 @@ struct ZeroNormalStress {
     return state.normal_rate;
   }
 
-  double viscosity() const requires requires(S s) { s.viscosity(); }
-  { return solid.viscosity(); }
+  double viscosity() const
+    requires requires(S s) { s.viscosity(); }
+  {
+    return solid.viscosity();
+  }
 
   template <class T>
-  requires requires(S s, State<T> state) { s.intact(inner(state)); }
-  T intact(const State<T>& state) const { return solid.intact(inner(state)); }
+    requires requires(S s, State<T> state) { s.intact(inner(state)); }
+  T intact(const State<T>& state) const {
+    return solid.intact(inner(state));
+  }
 
  private:
   template <class T>

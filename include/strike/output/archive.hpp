@@ -62,13 +62,12 @@ class Archive {
   };
   template <class T>
   static constexpr bool is_fixed_matrix = requires {
-    requires T::SizeAtCompileTime >
-    0;
+    requires T::SizeAtCompileTime > 0;
     requires std::is_arithmetic_v<typename T::Scalar>;
   };
   template <class T>
-  static constexpr bool is_plain = is_fixed_matrix<T> || (std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> &&
-                                                          !requires(T a) { a.data(); });
+  static constexpr bool is_plain =
+      is_fixed_matrix<T> || (std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !requires(T a) { a.data(); });
 
   template <class T>
   void item(T& value) {
@@ -100,7 +99,7 @@ class Archive {
   }
   template <class T, std::size_t n>
   void items(std::span<T, n> all) {
-    if constexpr (is_plain<T> && !requires(T & one, Archive & archive) { one.serialize(archive); })
+    if constexpr (is_plain<T> && !requires(T& one, Archive& archive) { one.serialize(archive); })
       bytes(all.data(), all.size_bytes());
     else
       for (T& one : all) item(one);

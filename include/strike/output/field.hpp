@@ -19,7 +19,7 @@ namespace detail {
 template <class Row>
 inline constexpr bool is_row = false;
 template <class Row>
-requires std::same_as<typename Row::value_type, double> && std::is_trivially_destructible_v<Row>
+  requires std::same_as<typename Row::value_type, double> && std::is_trivially_destructible_v<Row>
 inline constexpr bool is_row<Row> = true;  // std::array, Eigen's fixed matrices
 template <>
 inline constexpr bool is_row<SymmetricTensor<double>> = true;
@@ -43,7 +43,8 @@ class Rows {
   /// A vector of fixed arrays of double, as they are stored: `Eigen::Vector3d` (3), `std::array<double, N>` (N),
   /// `SymmetricTensor<double>` (6: xx yy zz xy yz zx).
   template <class Row>
-  requires detail::is_row<Row> Rows(const std::vector<Row>& rows)
+    requires detail::is_row<Row>
+  Rows(const std::vector<Row>& rows)
       : data_(reinterpret_cast<const double*>(rows.data())),
         count_(rows.size()),
         components_(sizeof(Row) / sizeof(double)),

@@ -51,7 +51,8 @@ class History {
   }
 
   template <std::convertible_to<double>... Values>
-  requires(sizeof...(Values) > 0) void row(Values... values) {
+    requires(sizeof...(Values) > 0)
+  void row(Values... values) {
     const double row_of_values[] = {static_cast<double>(values)...};
     row(std::span<const double>(row_of_values));
   }

@@ -44,7 +44,7 @@ class Progress {
   }
 
   template <class Number>
-  requires std::convertible_to<Number, double> || std::invocable<Number&>
+    requires std::convertible_to<Number, double> || std::invocable<Number&>
   void operator()(double time, std::uint64_t step, Number&& energy_error) {
     if (++calls_ < next_look_ && (time < options_.end || next_look_ == never)) return;
     const double now = seconds();

@@ -51,7 +51,8 @@ struct Attribute {
   Attribute(std::string_view of_name, std::string_view value) : name(of_name), text(value) {}
   Attribute(std::string_view of_name, const char* value) : name(of_name), text(value) {}
   template <class Number>
-  requires std::is_arithmetic_v<Number> Attribute(std::string_view of_name, Number value)
+    requires std::is_arithmetic_v<Number>
+  Attribute(std::string_view of_name, Number value)
       : name(of_name), number(static_cast<double>(value)), is_number(true) {}
 };
 

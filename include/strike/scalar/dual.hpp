@@ -25,7 +25,7 @@ class Dual {
 
   Dual() = default;
   template <class U>
-  requires is_constant<U>
+    requires is_constant<U>
   constexpr Dual(const U& value) : value_(static_cast<T>(value)) {  // implicit: literals stand in formulas
     derivatives_.fill(T(0));
   }
@@ -66,34 +66,44 @@ class Dual {
 
   // A constant has no derivatives: half the work, and no 0 * inf.
   template <class U>
-  requires is_constant<U>
-  friend constexpr Dual operator+(const Dual& a, const U& b) { return {a.value_ + T(b), a.derivatives_}; }
+    requires is_constant<U>
+  friend constexpr Dual operator+(const Dual& a, const U& b) {
+    return {a.value_ + T(b), a.derivatives_};
+  }
   template <class U>
-  requires is_constant<U>
-  friend constexpr Dual operator+(const U& a, const Dual& b) { return b + a; }
+    requires is_constant<U>
+  friend constexpr Dual operator+(const U& a, const Dual& b) {
+    return b + a;
+  }
   template <class U>
-  requires is_constant<U>
-  friend constexpr Dual operator-(const Dual& a, const U& b) { return {a.value_ - T(b), a.derivatives_}; }
+    requires is_constant<U>
+  friend constexpr Dual operator-(const Dual& a, const U& b) {
+    return {a.value_ - T(b), a.derivatives_};
+  }
   template <class U>
-  requires is_constant<U>
-  friend constexpr Dual operator-(const U& a, const Dual& b) { return -b + a; }
+    requires is_constant<U>
+  friend constexpr Dual operator-(const U& a, const Dual& b) {
+    return -b + a;
+  }
   template <class U>
-  requires is_constant<U>
+    requires is_constant<U>
   friend constexpr Dual operator*(const Dual& a, const U& b) {
     const T c(b);
     return map(a.value_ * c, [&](std::size_t i) { return a.derivatives_[i] * c; });
   }
   template <class U>
-  requires is_constant<U>
-  friend constexpr Dual operator*(const U& a, const Dual& b) { return b * a; }
+    requires is_constant<U>
+  friend constexpr Dual operator*(const U& a, const Dual& b) {
+    return b * a;
+  }
   template <class U>
-  requires is_constant<U>
+    requires is_constant<U>
   friend constexpr Dual operator/(const Dual& a, const U& b) {
     const T c(b);
     return map(a.value_ / c, [&](std::size_t i) { return a.derivatives_[i] / c; });
   }
   template <class U>
-  requires is_constant<U>
+    requires is_constant<U>
   friend constexpr Dual operator/(const U& a, const Dual& b) {
     const T q = T(a) / b.value_;
     return chain(b, q, -q / b.value_);
@@ -150,7 +160,7 @@ class Dual {
   friend Dual log(const Dual& a) { return chain(a, log(a.value_), 1 / a.value_); }
 
   template <class U>
-  requires is_constant<U>
+    requires is_constant<U>
   friend Dual pow(const Dual& a, const U& b) {
     const T n(b);
     const T power = pow(a.value_, n);
@@ -161,7 +171,7 @@ class Dual {
     return chain(a, power, select(n == T(0) && a.value_ == T(0), T(0), slope));
   }
   template <class U>
-  requires is_constant<U>
+    requires is_constant<U>
   friend Dual pow(const U& a, const Dual& b) {
     const T base(a);
     const T power = pow(base, b.value_);

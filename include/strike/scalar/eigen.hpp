@@ -19,7 +19,7 @@ inline constexpr bool is_composite<Dual<T, N>> = true;
 
 /// What may stand beside a number S in Eigen's formulas: what S is made of, and every built-in number.
 template <class U, class S>
-concept Constituent = is_composite<S> &&(std::is_arithmetic_v<U> || std::same_as<U, typename S::value_type>);
+concept Constituent = is_composite<S> && (std::is_arithmetic_v<U> || std::same_as<U, typename S::value_type>);
 
 /// What Eigen asks of a number S; cost, in built-in operations, decides what it unrolls.
 template <class S, std::size_t cost>
@@ -58,26 +58,22 @@ template <class T, std::size_t N>
 struct Eigen::NumTraits<strike::Dual<T, N>> : strike::detail::EigenTraits<strike::Dual<T, N>, 2 * N + 1> {};
 
 template <class S, class U, class Operation>
-requires strike::detail::Constituent<U, S>
+  requires strike::detail::Constituent<U, S>
 struct Eigen::ScalarBinaryOpTraits<S, U, Operation> {
   using ReturnType = S;
 };
 template <class S, class U, class Operation>
-requires strike::detail::Constituent<U, S>
+  requires strike::detail::Constituent<U, S>
 struct Eigen::ScalarBinaryOpTraits<U, S, Operation> {
   using ReturnType = S;
 };
 
 // Eigen's blocked matrix products branch on values and mix no scalars; here every product goes by coefficients.
 template <class A, class B>
-requires(strike::detail::is_composite<typename A::Scalar> ||
-         strike::detail::is_composite<typename B::Scalar>) struct Eigen::internal::
-    generic_product_impl<A, B, Eigen::DenseShape, Eigen::DenseShape, Eigen::GemvProduct>
-    : generic_product_impl<A, B, DenseShape, DenseShape, CoeffBasedProductMode> {
-};
+  requires(strike::detail::is_composite<typename A::Scalar> || strike::detail::is_composite<typename B::Scalar>)
+struct Eigen::internal::generic_product_impl<A, B, Eigen::DenseShape, Eigen::DenseShape, Eigen::GemvProduct>
+    : generic_product_impl<A, B, DenseShape, DenseShape, CoeffBasedProductMode> {};
 template <class A, class B>
-requires(strike::detail::is_composite<typename A::Scalar> ||
-         strike::detail::is_composite<typename B::Scalar>) struct Eigen::internal::
-    generic_product_impl<A, B, Eigen::DenseShape, Eigen::DenseShape, Eigen::GemmProduct>
-    : generic_product_impl<A, B, DenseShape, DenseShape, CoeffBasedProductMode> {
-};
+  requires(strike::detail::is_composite<typename A::Scalar> || strike::detail::is_composite<typename B::Scalar>)
+struct Eigen::internal::generic_product_impl<A, B, Eigen::DenseShape, Eigen::DenseShape, Eigen::GemmProduct>
+    : generic_product_impl<A, B, DenseShape, DenseShape, CoeffBasedProductMode> {};

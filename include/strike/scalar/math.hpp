@@ -308,12 +308,16 @@ Pack<T, N> pow(const Pack<T, N>& x, const std::type_identity_t<Pack<T, N>>& y) {
       [&](std::size_t k) { return Math::pow(x.native(k), typename Math::Exponent(y.native(k))); });
 }
 template <class T, std::size_t N, class Number>
-requires std::is_arithmetic_v<Number> Pack<T, N> pow(const Pack<T, N>& x, Number y) {
+  requires std::is_arithmetic_v<Number>
+Pack<T, N> pow(const Pack<T, N>& x, Number y) {
   using Math = detail::PackMath<T, N>;
   const typename Math::Exponent exponent(Math::all(static_cast<T>(y)));
   return detail::by_register<Pack<T, N>>([&](std::size_t k) { return Math::pow(x.native(k), exponent); });
 }
 template <class T, std::size_t N, class Number>
-requires std::is_arithmetic_v<Number> Pack<T, N> pow(Number x, const Pack<T, N>& y) { return pow(Pack<T, N>(x), y); }
+  requires std::is_arithmetic_v<Number>
+Pack<T, N> pow(Number x, const Pack<T, N>& y) {
+  return pow(Pack<T, N>(x), y);
+}
 
 }  // namespace strike

@@ -39,8 +39,7 @@ constexpr Result by_register(F f) {
     Result r;
     ((r.native(k) = f(k)), ...);
     return r;
-  }
-  (std::make_index_sequence<Result::registers>{});
+  }(std::make_index_sequence<Result::registers>{});
 }
 
 }  // namespace detail
@@ -68,7 +67,7 @@ class Pack {
 
   Pack() = default;
   template <class U>
-  requires std::is_arithmetic_v<U>
+    requires std::is_arithmetic_v<U>
   constexpr Pack(U value)  // implicit: literals stand in formulas
       : Pack(detail::by_register<Pack>([&](std::size_t) { return Register{} + static_cast<T>(value); })) {}
 

@@ -20,19 +20,25 @@ using std::sqrt;
 
 namespace detail {
 template <class A, class B>
-concept BuiltIn = std::is_arithmetic_v<A> && std::is_arithmetic_v<B> &&
-    (std::floating_point<A> || std::floating_point<B>);
+concept BuiltIn =
+    std::is_arithmetic_v<A> && std::is_arithmetic_v<B> && (std::floating_point<A> || std::floating_point<B>);
 }
 
 template <class A, class B>
-requires detail::BuiltIn<A, B>
-constexpr std::common_type_t<A, B> select(bool condition, A then, B otherwise) { return condition ? then : otherwise; }
+  requires detail::BuiltIn<A, B>
+constexpr std::common_type_t<A, B> select(bool condition, A then, B otherwise) {
+  return condition ? then : otherwise;
+}
 template <class A, class B>
-requires detail::BuiltIn<A, B>
-constexpr std::common_type_t<A, B> min(A a, B b) { return b < a ? b : a; }
+  requires detail::BuiltIn<A, B>
+constexpr std::common_type_t<A, B> min(A a, B b) {
+  return b < a ? b : a;
+}
 template <class A, class B>
-requires detail::BuiltIn<A, B>
-constexpr std::common_type_t<A, B> max(A a, B b) { return a < b ? b : a; }
+  requires detail::BuiltIn<A, B>
+constexpr std::common_type_t<A, B> max(A a, B b) {
+  return a < b ? b : a;
+}
 /// 1/sqrt(a).
 template <std::floating_point T>
 T rsqrt(T a) {

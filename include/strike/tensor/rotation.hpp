@@ -16,7 +16,7 @@ SymmetricTensor<T> rotated(const Matrix3<T>& Q, const SymmetricTensor<T>& A) {
 
 /// How the spatial tensors of a material's state follow the spin of an element during one step.
 /// Law: `turn(w)`, for the axial vector w of the incremental spin (skew(L) dt at mid-step), gives a function that maps
-/// spatial tensors and vectors at the begin of the step to those that a pure rotation leaves at its end.
+/// spatial tensors and vectors at the start of the step to those that a pure rotation leaves at its end.
 template <class R>
 concept Rotation = requires(const R rotation, const Vector3<double> w, const SymmetricTensor<double> A) {
   { rotation.turn(w)(A) } -> std::same_as<SymmetricTensor<double>>;

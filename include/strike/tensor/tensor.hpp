@@ -31,8 +31,7 @@ inline constexpr double least_square = sizeof(RealOf<T>) == 4 ? 5e-26 : 8e-206;
 template <class T, int n, class F>
 Eigen::Matrix<T, 3, n> by_component(F f) {
   Eigen::Matrix<T, 3, n> a;
-  [&]<int... i>(std::integer_sequence<int, i...>) { ((a(i) = f(i)), ...); }
-  (std::make_integer_sequence<int, 3 * n>{});
+  [&]<int... i>(std::integer_sequence<int, i...>) { ((a(i) = f(i)), ...); }(std::make_integer_sequence<int, 3 * n>{});
   return a;
 }
 
@@ -43,23 +42,23 @@ Eigen::Matrix<T, 3, n> by_component(F f) {
 // operators need a conversion.
 
 template <class T, int n>
-requires(n > 0) Eigen::Matrix<T, 3, n>
-operator+(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator+(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
   return detail::by_component<T, n>([&](int i) -> T { return a(i) + b(i); });
 }
 template <class T, int n>
-requires(n > 0) Eigen::Matrix<T, 3, n>
-operator-(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator-(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
   return detail::by_component<T, n>([&](int i) -> T { return a(i) - b(i); });
 }
 template <class T, int n>
-requires(n > 0) Eigen::Matrix<T, 3, n>
-operator-(const Eigen::Matrix<T, 3, n>& a) {
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator-(const Eigen::Matrix<T, 3, n>& a) {
   return detail::by_component<T, n>([&](int i) -> T { return -a(i); });
 }
 template <class S, class T, int n>
-requires(n > 0 && (std::same_as<S, T> || std::is_arithmetic_v<S>)) Eigen::Matrix<T, 3, n>
-operator*(const S& factor, const Eigen::Matrix<T, 3, n>& a) {
+  requires(n > 0 && (std::same_as<S, T> || std::is_arithmetic_v<S>))
+Eigen::Matrix<T, 3, n> operator*(const S& factor, const Eigen::Matrix<T, 3, n>& a) {
   return detail::by_component<T, n>([&](int i) -> T { return factor * a(i); });
 }
 

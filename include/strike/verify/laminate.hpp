@@ -9,7 +9,7 @@
 #include <Eigen/Dense>
 
 #include <strike/error.hpp>
-#include <strike/material/transverse_shear.hpp>
+#include <strike/section/transverse_shear.hpp>
 #include <strike/text.hpp>
 
 #include <unsupported/Eigen/MatrixFunctions>

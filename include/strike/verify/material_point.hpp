@@ -52,7 +52,8 @@ struct Record {
 /// Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point then
 /// is what it was before the step.
 template <class M, Rotation R = HughesWinget, class T = double>
-requires(SolidMaterial<M> || PlaneMaterial<M>) class MaterialPoint {
+  requires(SolidMaterial<M> || PlaneMaterial<M>)
+class MaterialPoint {
  public:
   explicit MaterialPoint(M material, R rotation = {}, In<T> = {})
       : material_(std::move(material)), rotation_(std::move(rotation)) {

@@ -17,7 +17,7 @@
 
 namespace strike {
 
-/// One element after a step [consistent units]. Energies are those since the begin; that of the prescribed motion is
+/// One element after a step [consistent units]. Energies are those since the start; that of the prescribed motion is
 /// the sum of the other three but for the error of the step.
 template <class E>
 struct ElementRecord {

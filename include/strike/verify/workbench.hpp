@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include <strike/draw/chart.hpp>
+#include <strike/draw/picture.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/surface.hpp>
-#include <strike/output/chart.hpp>
 #include <strike/output/history.hpp>
-#include <strike/output/picture.hpp>
 #include <strike/output/results.hpp>
 #include <strike/text.hpp>
 #include <strike/verify/distortion.hpp>

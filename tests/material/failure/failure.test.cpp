@@ -20,9 +20,7 @@ constexpr LinearEos eos{.density = 7850, .bulk_modulus = 160e9};
 constexpr VonMises strength{.shear_modulus = 80e9, .yield_stress = 400e6, .hardening_modulus = 1e9};
 
 template <class M>
-concept CanFail = requires(const M m, const typename M::template State<double> state) {
-  m.intact(state);
-};
+concept CanFail = requires(const M m, const typename M::template State<double> state) { m.intact(state); };
 
 }  // namespace
 

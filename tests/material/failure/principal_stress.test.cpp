@@ -6,9 +6,9 @@
 
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/failure/principal_stress.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
+#include <strike/section/layered.hpp>
 #include <strike/tensor/rotation.hpp>
 
 #include "support/catch.hpp"

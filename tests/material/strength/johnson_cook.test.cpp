@@ -39,7 +39,7 @@ TEST_CASE("Johnson-Cook: the formula") {
   CHECK(copper.flow_stress(1.0, 1e4, 5000.0) == 0);
 }
 
-TEST_CASE("Johnson-Cook: each step ends on the formula, at its own rate and the temperature of its begin") {
+TEST_CASE("Johnson-Cook: each step ends on the formula, at its own rate and the temperature of its start") {
   State state;
   Tensor s;
   const double dt = 1e-8, gamma_rate = 1e5;

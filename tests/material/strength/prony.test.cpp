@@ -2,11 +2,11 @@
 #include <numbers>
 
 #include <strike/material/eos/linear.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/strength.hpp>
 #include <strike/material/zero_normal_stress.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 

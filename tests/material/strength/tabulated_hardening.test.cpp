@@ -37,7 +37,7 @@ TEST_CASE("tabulated hardening: straight between the points, level after the las
   // rises, falls almost as steeply as 3 G, is level, rises
   const Points points{{0, 400e6}, {.02, 500e6}, {.0205, 400e6}, {.1, 400e6}, {.5, 700e6}};
   const TabulatedHardening law{G, points};
-  CHECK(!law.notice().empty());
+  CHECK(!law.warning().empty());
   for (const auto& [strain, stress] : points) CHECK(law.flow_stress(strain) == stress);
   CHECK(law.flow_stress(.01) == Approx(450e6).epsilon(1e-15));
   CHECK(law.flow_stress(.3) == Approx(550e6).epsilon(1e-15));
@@ -55,7 +55,7 @@ TEST_CASE("tabulated hardening: straight between the points, level after the las
 
 TEST_CASE("tabulated hardening: two points are linear hardening, and with Cowper and Symonds' factor RateVonMises") {
   const TabulatedHardening table{G, {{0, 300e6}, {1, 1300e6}}};
-  CHECK(table.notice().empty());
+  CHECK(table.warning().empty());
   const VonMises linear{.shear_modulus = G, .yield_stress = 300e6, .hardening_modulus = 1e9};
   const CowperSymonds rated{table, 40.4, 5};
   const RateVonMises closed{.shear_modulus = G,

@@ -43,7 +43,7 @@ TEST_CASE("Zerilli-Armstrong: the formulas of both lattices, and their limits") 
   CHECK(athermal.flow_stress(1.0, 0.0, 300.0) == 5);
 }
 
-TEST_CASE("Zerilli-Armstrong: each step ends on the formula, at its own rate and the temperature of its begin") {
+TEST_CASE("Zerilli-Armstrong: each step ends on the formula, at its own rate and the temperature of its start") {
   for (const ZerilliArmstrong& law : {copper, iron})
     for (const double dt : {1e-9, 1e-3, 1e3}) {
       StrengthState<ZerilliArmstrong, double> state;

@@ -139,9 +139,9 @@ class File {
   std::uint32_t line() const { return source_.line(); }
   [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { source_.refuse(what); }
 
-  void tell(std::vector<std::string>& notices) const {
-    skipped_.tell(notices, " was skipped: ");
-    values_.tell(notices, " had no effect: ");
+  void tell(std::vector<std::string>& warnings) const {
+    skipped_.tell(warnings, " was skipped: ");
+    values_.tell(warnings, " had no effect: ");
   }
 
  private:

@@ -48,7 +48,7 @@ inline PlasticMaterial plastic(const Elastic& m, double yield, double tangent, d
   const double hardening = m.youngs_modulus * tangent / (m.youngs_modulus - tangent);
   RateVonMises strength{m.shear_modulus(), yield, hardening};
   if (D > 0 && p > 0) strength.rate_factor = std::pow(D, -1 / p), strength.rate_exponent = 1 / p;
-  return {{m.reference_density, m.bulk_modulus()}, strength};
+  return {{m.density, m.bulk_modulus()}, strength};
 }
 /// Cards of eight strains or stresses, which have no counterpart.
 inline void ignore_table(File& file, std::string_view what, int cards) {

@@ -118,7 +118,7 @@ inline DynaDeck resolved(Draft draft, File& file) {
     contact.master = contact_side(master, "MSTYP", line, lookup, deck, file);
     deck.contacts.push_back(std::move(contact));
   }
-  file.tell(deck.notices);
+  file.tell(deck.warnings);
   return std::move(deck);
 }
 

@@ -10,9 +10,7 @@ namespace strike {
 /// mass remains. A criterion that gathers damage over the steps has beside that
 ///   accumulate(state, equivalent_stress, plastic_increment, dt)
 template <class F>
-concept FailureCriterion = requires {
-  typename F::template State<double>;
-};
+concept FailureCriterion = requires { typename F::template State<double>; };
 
 /// Never.
 struct NoFailure {
@@ -31,9 +29,7 @@ struct Damage {
 };
 struct NoDamage {};
 template <class F>
-inline constexpr bool gathers_damage = requires(typename F::template State<double> state) {
-  state.damage;
-};
+inline constexpr bool gathers_damage = requires(typename F::template State<double> state) { state.damage; };
 template <class F, class T>
 using DamageOf = std::conditional_t<gathers_damage<F>, Damage<T>, NoDamage>;
 
@@ -91,7 +87,7 @@ struct BecomesFluid {
     T solid{1.0};  ///< 1, or 0 once failed
   };
   template <class T, class S>
-  requires requires(const Criterion c, S& state, T x) { c.accumulate(state, x, x, 1.0); }
+    requires requires(const Criterion c, S& state, T x) { c.accumulate(state, x, x, 1.0); }
   void accumulate(S& state, const T& equivalent_stress, const T& plastic_increment, double dt) const {
     criterion.accumulate(state, equivalent_stress, plastic_increment, dt);
   }

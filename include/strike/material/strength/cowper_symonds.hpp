@@ -15,8 +15,11 @@ struct CowperSymonds {
   double p;
   double shear_modulus = law.shear_modulus;
 
-  std::string notice() const requires requires(Law l) { l.notice(); }
-  { return law.notice(); }
+  std::string warning() const
+    requires requires(Law l) { l.warning(); }
+  {
+    return law.warning();
+  }
 
   template <class T>
   T flow_stress(const T& e, const T& rate) const {

@@ -89,11 +89,14 @@ class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
   /// The law with the values of its parameters.
   const Law& law() const { return law_; }
 
-  std::string notice() const requires requires(Law law) { law.notice(); }
-  { return law_.notice(); }
+  std::string warning() const
+    requires requires(Law law) { law.warning(); }
+  {
+    return law_.warning();
+  }
 
   template <class T, class... More>
-  requires requires(const Law law, T e, More... more) { law.flow_stress(e, more...); }
+    requires requires(const Law law, T e, More... more) { law.flow_stress(e, more...); }
   T flow_stress(const T& e, const More&... more) const {
     T sigma = law_.flow_stress(e, more...);
     for (std::size_t i = 0; i < M; ++i) {

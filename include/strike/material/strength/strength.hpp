@@ -39,11 +39,11 @@ concept FlowLaw = RateIndependentFlow<S> || RateDependentFlow<S> || ThermalFlow<
 /// `deviatoric_stress(state, s, d, J, dt)`, where J = V/V0; and if its tangent may exceed its `shear_modulus`, the
 /// bound `stiffness(state, J)`.
 template <class S>
-concept StrengthWithMemory = requires(const S strength, typename S::template State<double> state,
-                                      const SymmetricTensor<double> s) {
-  { strength.shear_modulus } -> std::convertible_to<double>;
-  { strength.deviatoric_stress(state, s, s, 1.0, 1.0) } -> std::same_as<SymmetricTensor<double>>;
-};
+concept StrengthWithMemory =
+    requires(const S strength, typename S::template State<double> state, const SymmetricTensor<double> s) {
+      { strength.shear_modulus } -> std::convertible_to<double>;
+      { strength.deviatoric_stress(state, s, s, 1.0, 1.0) } -> std::same_as<SymmetricTensor<double>>;
+    };
 
 /// How a solid resists a change of shape: a flow law, or a model of its own that has a `shear_modulus`, the stiffest
 /// that it answers with, and `deviatoric_stress(s, d)`: the new deviator from the old one (already turned) and the

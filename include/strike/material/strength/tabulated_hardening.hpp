@@ -49,7 +49,7 @@ class TabulatedHardening {
     }
   }
 
-  std::string notice() const {
+  std::string warning() const {
     for (const Piece& piece : pieces_)
       if (piece.slope < 0)
         return "A table of hardening falls: strain that softens gathers in one row of elements, and the result depends "

@@ -11,7 +11,7 @@ struct VonMises {
   double yield_stress;           ///< Y
   double hardening_modulus = 0;  ///< H = d sigma / d (plastic strain), > -3 G; negative is softening
 
-  std::string notice() const {
+  std::string warning() const {
     if (hardening_modulus >= 0) return {};
     return "The hardening modulus is negative: strain that softens gathers in one row of elements, and the result "
            "depends on the mesh.";

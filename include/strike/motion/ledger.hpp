@@ -9,7 +9,7 @@ namespace strike {
 struct Energy {
   double kinetic =
       0;  ///< sum of m v-.v+/2 over the velocities half a step before and after: what central differences keep
-  double internal = 0;        ///< work of the stresses, from what is stored at the begin on
+  double internal = 0;        ///< work of the stresses, from what is stored at the start on
   double hourglass = 0;       ///< work against the hourglass control
   double bulk_viscosity = 0;  ///< dissipated by bulk viscosity
   double contact = 0;         ///< taken by contact: stored by penalties, lost in impacts of nodes on walls
@@ -17,7 +17,7 @@ struct Energy {
   double damping = 0;         ///< taken from the motion by a relaxation
   double external = 0;        ///< work of loads and prescribed motion
   double eroded = 0;          ///< left with deleted elements
-  double initial = 0;         ///< kinetic and stored energy at the begin
+  double initial = 0;         ///< kinetic and stored energy at the start
 
   double held() const {
     return kinetic + internal + hourglass + bulk_viscosity + contact + friction + damping + eroded;

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include <strike/material/failure/failure.hpp>
-#include <strike/material/layered.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/point_values.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/zero_normal_stress.hpp>
 #include <strike/scalar/pack.hpp>
+#include <strike/section/layered.hpp>
 
 #include "support/catch.hpp"
 #include "support/lay_ups.hpp"
@@ -25,8 +25,8 @@ namespace {
 using Rate = PlateKinematics::Rate<double>;
 using Resultant = PlateKinematics::Stress<double>;
 
-const PlaneStress steel{Elastic{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3}};
-const PlaneStress glassy{Elastic{.reference_density = 2500, .youngs_modulus = 70e9, .poissons_ratio = .22}};
+const PlaneStress steel{Elastic{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3}};
+const PlaneStress glassy{Elastic{.density = 2500, .youngs_modulus = 70e9, .poissons_ratio = .22}};
 
 template <class M>
 typename M::template State<double> resting(const M& section) {
@@ -211,10 +211,10 @@ TEST_CASE("layered: what is remembered gives the resultants, before and after a 
   CHECK(section.layers() == 3);
 }
 
-TEST_CASE("layered: a step of no time, as at the begin of a run, is the stress that is remembered") {
+TEST_CASE("layered: a step of no time, as at the start of a run, is the stress that is remembered") {
   const Homogeneous closed{steel, 1e-3};
-  const Homogeneous searched{
-      ZeroNormalStress{Elastic{.reference_density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3}}, 1e-3};
+  const Homogeneous searched{ZeroNormalStress{Elastic{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = .3}},
+                             1e-3};
   CHECK(same(answer(closed, any_rate, 0), Resultant{}));
   CHECK(same(answer(searched, any_rate, 0), Resultant{}));
   auto state = resting(closed);
@@ -377,11 +377,11 @@ TEST_CASE("layered: thicknesses that cannot be are refused") {
 TEST_CASE("layered: a section tells what its materials and its shear have to say, each once") {
   const PlaneStress softening{Solid{LinearEos{.density = 1, .bulk_modulus = 1},
                                     VonMises{.shear_modulus = 1, .yield_stress = 1, .hardening_modulus = -.1}}};
-  const std::string law = softening.notice();
+  const std::string law = softening.warning();
   CHECK(!law.empty());
-  CHECK(Layered{Layer{softening, 1.0}, Layer{softening, 1.0}}.notice() == law);
-  CHECK(Homogeneous{steel, 1.0}.notice(1).empty());
+  CHECK(Layered{Layer{softening, 1.0}, Layer{softening, 1.0}}.warning() == law);
+  CHECK(Homogeneous{steel, 1.0}.warning(1).empty());
   using Catch::Matchers::ContainsSubstring;
-  CHECK_THAT(glass.section(1e4, FiveSixthsShear{}).notice(), ContainsSubstring("5/6 sum G h of a section is"));
-  CHECK(Homogeneous{steel, 1.0, FiveSixthsShear{}}.notice().empty());
+  CHECK_THAT(glass.section(1e4, FiveSixthsShear{}).warning(), ContainsSubstring("5/6 sum G h of a section is"));
+  CHECK(Homogeneous{steel, 1.0, FiveSixthsShear{}}.warning().empty());
 }

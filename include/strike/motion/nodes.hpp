@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -12,107 +11,13 @@
 #include <Eigen/Core>
 
 #include <strike/error.hpp>
-#include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/scalar/dual.hpp>
-#include <strike/scalar/pack.hpp>
+#include <strike/motion/held_directions.hpp>
+#include <strike/motion/motion.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
-
-/// What becomes of a direction of a node's motion that is not free: it does not move, or moves as it is told.
-enum class Held { still, moved };
-
-namespace detail {
-
-/// The directions that conditions take from the motion of nodes.
-class HeldDirections {
- public:
-  /// See Nodes::hold; `place` is for the message.
-  Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& place, Eigen::Vector3d direction, Held how) {
-    const auto [first, last] = held_.equal_range(i);
-    for (auto h = first; h != last; ++h) {
-      const double overlap = h->second.direction.dot(direction);
-      if (std::abs(overlap) > 1e-6 && (how == Held::moved || h->second.how == Held::moved))
-        throw Error(joined({"strike: node ", std::to_string(i), " at ", text(place), " has two conditions along ",
-                            text(direction), ", and one prescribes its motion; take it out of the other."}));
-      direction -= overlap * h->second.direction;
-    }
-    if (direction.norm() < 1e-6) return Eigen::Vector3d::Zero();
-    direction.normalize();
-    held_.insert({i, {direction, how}});
-    return direction;
-  }
-  /// The part of a vector along which node i is free to move.
-  template <class Vector>
-  Vector free(std::size_t i, Vector a) const {
-    const auto [first, last] = held_.equal_range(i);
-    for (auto h = first; h != last; ++h) a -= h->second.direction.dot(a) * h->second.direction;
-    return a;
-  }
-
- private:
-  struct HeldDirection {
-    Eigen::Vector3d direction;
-    Held how;
-  };
-
-  std::multimap<std::size_t, HeldDirection> held_;
-};
-
-}  // namespace detail
-
-namespace detail {
-template <class Real>
-struct NodalNumber {
-  using Padded = Pack<Real, 4>;
-  using Told = double;
-};
-template <class Real, std::size_t N>
-struct NodalNumber<Dual<Real, N>> {
-  using Padded = Dual<Pack<Real, 4>, N>;
-  using Told = Dual<Real, N>;
-};
-}  // namespace detail
-
-/// A vector at a node, padded so that it moves as one register; the fourth number is nobody's.
-template <class Real>
-using Padded = typename detail::NodalNumber<Real>::Padded;
-
-/// A vector for each place.
-template <class Real>
-using NodalField = std::vector<Padded<Real>>;
-
-/// What elements read and write, place by place: positions, velocities and forces, and of nodes that turn angular
-/// velocities and moments.
-template <class Real, bool turn = false>
-struct Motion {
-  NodalField<Real> position, velocity, force;
-
-  explicit Motion(std::size_t places = 0) : position(places, zero()), velocity(position), force(position) {}
-  void resize(std::size_t places) {
-    for (NodalField<Real>* field : {&position, &velocity, &force}) {
-      field->reserve(places);  // and no more
-      field->resize(places, zero());
-    }
-  }
-  static Padded<Real> zero() { return Padded<Real>(0); }
-};
-template <class Real>
-struct Motion<Real, true> : Motion<Real> {
-  NodalField<Real> angular_velocity, moment;
-
-  explicit Motion(std::size_t places = 0)
-      : Motion<Real>(places), angular_velocity(places, this->zero()), moment(angular_velocity) {}
-  void resize(std::size_t places) {
-    Motion<Real>::resize(places);
-    for (NodalField<Real>* field : {&angular_velocity, &moment}) {
-      field->reserve(places);
-      field->resize(places, this->zero());
-    }
-  }
-};
 
 /// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass; where
 /// elements turn them (`turn`) their angular velocity w and moment too, and one moment of inertia for all directions.
@@ -177,7 +82,9 @@ class Nodes {
   }
   /// The part of a vector along which node i is free to move.
   Eigen::Vector3d free(std::size_t i, const Eigen::Vector3d& a) const { return held_.free(i, a); }
-  Vector free(std::size_t i, const Vector& a) const requires(!std::is_same_v<Number, double>) {
+  Vector free(std::size_t i, const Vector& a) const
+    requires(!std::is_same_v<Number, double>)
+  {
     return held_.free(i, a);
   }
 
@@ -244,17 +151,6 @@ class Nodes {
   std::vector<Plain> mass_, inertia_;
   std::vector<Index> number_, place_;
   detail::HeldDirections held_, held_turns_;
-};
-
-/// A step in time as those see it who push or hold nodes: it begins at `time`, `dt` long, after one of `dt_before`.
-struct Step {
-  std::size_t number = 0;
-  double time = 0;
-  double dt_before = 0;
-  double dt = 0;
-
-  /// How long a force at `time` acts on the velocities: from the middle of the last step to the middle of this one.
-  double kick() const { return 0.5 * (dt_before + dt); }
 };
 
 }  // namespace strike

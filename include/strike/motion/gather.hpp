@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/nodes.hpp>
+#include <strike/motion/nodes.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -41,7 +41,8 @@ struct Transposer {
 
 /// The same for registers of whole quadruples: a node is one load, and quadruples of nodes are transposed in registers.
 template <class T, std::size_t N>
-requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
+  requires(N >= 4 && native_lanes<T> >= 4)
+struct Transposer<Pack<T, N>> {
   using Places = std::array<Index, N>;
   static constexpr std::size_t width = N < native_lanes<T> ? N : native_lanes<T>;
   static constexpr std::size_t registers = N / width, quads = width / 4;
@@ -56,8 +57,9 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
       const int p = pick[i % 4];
       return i / 4 * 4 + p % 4 + (p < 4 ? 0 : static_cast<int>(width));
     };
-    return [&]<int... i>(std::integer_sequence<int, i...>)->Wide { return __builtin_shufflevector(a, b, from(i)...); }
-    (std::make_integer_sequence<int, static_cast<int>(width)>{});
+    return [&]<int... i>(std::integer_sequence<int, i...>) -> Wide {
+      return __builtin_shufflevector(a, b, from(i)...);
+    }(std::make_integer_sequence<int, static_cast<int>(width)>{});
   }
 
   /// The nodes first, first + 4, ... side by side.
@@ -112,8 +114,7 @@ requires(N >= 4 && native_lanes<T> >= 4) struct Transposer<Pack<T, N>> {
         ((put(4 * q, quad<q>(rows[0])), put(4 * q + 1, quad<q>(rows[1])), put(4 * q + 2, quad<q>(rows[2])),
           put(4 * q + 3, quad<q>(rows[3]))),
          ...);
-      }
-      (std::make_integer_sequence<int, static_cast<int>(quads)>{});
+      }(std::make_integer_sequence<int, static_cast<int>(quads)>{});
     }
   }
 };
@@ -153,8 +154,7 @@ struct Transposer<Dual<T, N>> {
 /// f(i) for every corner i; unrolled at every level of optimisation.
 template <std::size_t n, class F>
 void for_each_corner(const F& f) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) { (f(i), ...); }
-  (std::make_index_sequence<n>{});
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (f(i), ...); }(std::make_index_sequence<n>{});
 }
 
 }  // namespace detail

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include <strike/output/chart.hpp>
+#include <strike/draw/chart.hpp>
 
 #include "drawing.hpp"
 #include "scratch.hpp"

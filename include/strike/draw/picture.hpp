@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include <strike/draw/colour.hpp>
+#include <strike/draw/svg.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/surface.hpp>
-#include <strike/output/colour.hpp>
 #include <strike/output/file.hpp>
-#include <strike/output/svg.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 

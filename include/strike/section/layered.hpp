@@ -9,8 +9,8 @@
 
 #include <strike/error.hpp>
 #include <strike/material/material.hpp>
-#include <strike/material/thickness_rule.hpp>
-#include <strike/material/transverse_shear.hpp>
+#include <strike/section/thickness_rule.hpp>
+#include <strike/section/transverse_shear.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -35,26 +35,16 @@ concept KnowsNormalRate = requires(const M m, const typename M::template State<d
   { m.normal_rate(state, rate, 1.0, change) } -> std::convertible_to<double>;
 };
 template <class M>
-concept Begins = requires(const M m, typename M::template State<double> state) {
-  m.begin(state);
-};
+concept Begins = requires(const M m, typename M::template State<double> state) { m.begin(state); };
 template <class P>
-concept TellsOfShear = requires(const P policy, const TransverseShear<double> shear) {
-  policy.notice(shear, 1.0);
-};
+concept TellsOfShear = requires(const P policy, const TransverseShear<double> shear) { policy.warning(shear, 1.0); };
 template <class P>
 concept RecoversFlow = requires(const P policy, const TransverseShear<double> shear, const ShearLayer<double> layer,
-                                const ShearFlow<double> flow) {
-  policy.flow(shear, layer, flow);
-};
+                                const ShearFlow<double> flow) { policy.flow(shear, layer, flow); };
 template <class M>
-concept Tells = requires(const M m) {
-  m.notice();
-};
+concept Tells = requires(const M m) { m.warning(); };
 template <class M>
-concept CanFail = requires(const M m, const typename M::template State<double> state) {
-  m.intact(state);
-};
+concept CanFail = requires(const M m, const typename M::template State<double> state) { m.intact(state); };
 }  // namespace detail
 
 /// A layer of a plate: a plane material, its thickness, and the rule by which its stress is summed over that.
@@ -135,12 +125,12 @@ struct LayerNumbers {
 template <class Shear, class T>
 struct ShearLayerState {};
 template <class Shear, class T>
-requires requires { typename Shear::template LayerState<T>; }
+  requires requires { typename Shear::template LayerState<T>; }
 struct ShearLayerState<Shear, T> : Shear::template LayerState<T> {};
 template <class Shear, class T>
 struct ShearState {};
 template <class Shear, class T>
-requires requires { typename Shear::template State<T>; }
+  requires requires { typename Shear::template State<T>; }
 struct ShearState<Shear, T> : Shear::template State<T> {};
 
 /// What a layer remembers: the states of its points, and what the shear policy needs.
@@ -233,8 +223,7 @@ class Layered {
         if constexpr (is_layer[place]) f(place);
       };
       (visit(std::integral_constant<std::size_t, i>{}), ...);
-    }
-    (std::index_sequence_for<Pieces...>{});
+    }(std::index_sequence_for<Pieces...>{});
   }
 
  public:
@@ -286,22 +275,23 @@ class Layered {
 
   /// What the user should know, if anything: of the materials, and of the shear over half waves of a length, such as
   /// four elements.
-  [[gnu::cold]] std::string notice(double length = 0) const {
+  [[gnu::cold]] std::string warning(double length = 0) const {
     std::string all;
-    const auto tell = [&](const std::string& notice) {
-      if (!notice.empty() && all.find(notice) == std::string::npos) all += (all.empty() ? "" : " ") + notice;
+    const auto tell = [&](const std::string& warning) {
+      if (!warning.empty() && all.find(warning) == std::string::npos) all += (all.empty() ? "" : " ") + warning;
     };
     each_piece([&](auto i) {
       const auto& material = layer<i>().material;
-      if constexpr (detail::Tells<std::remove_cvref_t<decltype(material)>>) tell(material.notice());
+      if constexpr (detail::Tells<std::remove_cvref_t<decltype(material)>>) tell(material.warning());
     });
-    if constexpr (detail::TellsOfShear<Shear>) tell(shear_.notice(elastic_shear_, length));
+    if constexpr (detail::TellsOfShear<Shear>) tell(shear_.warning(elastic_shear_, length));
     return all;
   }
 
   /// The state before the first step.
   template <class T>
-  requires begins void begin(State<T>& state) const {
+    requires begins
+  void begin(State<T>& state) const {
     state = {};
     each_piece([&](auto i) {
       auto& layers = detail::get<i>(state.pieces);
@@ -316,7 +306,7 @@ class Layered {
 
   template <class T>
   PlateKinematics::Stress<T> stress(State<T>& state, const PlateKinematics::Rate<T>& rate, double dt) const {
-    if (dt == 0) return stress(std::as_const(state), rate.relative_thickness);  // the begin of a run, without rates
+    if (dt == 0) return stress(std::as_const(state), rate.relative_thickness);  // the start of a run, without rates
     const T& stretch = rate.relative_thickness;
     const PlaneTensor<T> curvature = stretch * rate.curvature;  // per height in the reference configuration
     Resultants<T> sum;
@@ -384,8 +374,8 @@ class Layered {
 
   /// 1 while any point is intact.
   template <class T>
-  requires can_fail T intact(const State<T>& state)
-  const {
+    requires can_fail
+  T intact(const State<T>& state) const {
     T intact = T(0.0);
     each_layer(state, [&](const auto& material, const auto&, const auto& own) {
       if constexpr (detail::CanFail<std::remove_cvref_t<decltype(material)>>)
@@ -492,7 +482,7 @@ class Layered {
           sum.normal += weight * moduli.normal, sum.shear += weight * moduli.shear;
         };
         integrate(extension_, h), integrate(coupling_, h * z), integrate(bending_, h * z2);
-        mass_ += h * material.density(), rotary_inertia_ += h * z2 * material.density();
+        mass_ += h * density_of(material), rotary_inertia_ += h * z2 * density_of(material);
         bottom += h;
       }
     });

@@ -145,8 +145,8 @@ auto transverse_shear(const Layers& layers) {
 }
 
 /// Where the transverse shear stiffness of a section comes from: `stiffness(TransverseShear)`, that at the start, and
-/// if there is something to tell, `notice(TransverseShear, length)`: `length` is the half wave that matters, 0 if it is
-/// not known.
+/// if there is something to tell, `warning(TransverseShear, length)`: `length` is the half wave that matters, 0 if it
+/// is not known.
 template <class P>
 concept ShearPolicy = requires(const P policy, const TransverseShear<double> shear) {
   { policy.stiffness(shear) } -> std::convertible_to<double>;
@@ -164,10 +164,10 @@ namespace detail {
 
 /// The stiffness K that stores the energy of the exact shear stress to leading order in thickness per length.
 struct EnergyShear {
-  double length = 0;  ///< the half wave over which a notice is to tell an error above 5 %; 0: whoever asks knows one
+  double length = 0;  ///< the half wave over which a warning is to tell an error above 5 %; 0: whoever asks knows one
 
   double stiffness(const TransverseShear<double>& shear) const { return shear.stiffness; }
-  std::string notice(const TransverseShear<double>& shear, double known_length) const {
+  std::string warning(const TransverseShear<double>& shear, double known_length) const {
     return detail::shear_notice(shear, length > 0 ? length : known_length);
   }
 };
@@ -191,7 +191,7 @@ struct EffectiveShear {
 /// 5/6 of the sum of G h, which is right for one layer alone.
 struct FiveSixthsShear {
   double stiffness(const TransverseShear<double>& shear) const { return 5.0 / 6.0 * shear.layer_sum; }
-  [[gnu::cold]] std::string notice(const TransverseShear<double>& shear, double) const {
+  [[gnu::cold]] std::string warning(const TransverseShear<double>& shear, double) const {
     const double ratio = stiffness(shear) / shear.stiffness;
     if (ratio < 1.05) return {};
     return detail::joined({"The shear stiffness 5/6 sum G h of a section is ", detail::text(ratio),
@@ -216,8 +216,8 @@ struct InstantaneousShear {
   };
 
   double stiffness(const TransverseShear<double>& shear) const { return shear.stiffness; }
-  std::string notice(const TransverseShear<double>& shear, double known_length) const {
-    return EnergyShear{length}.notice(shear, known_length);
+  std::string warning(const TransverseShear<double>& shear, double known_length) const {
+    return EnergyShear{length}.warning(shear, known_length);
   }
 
   /// The share after a step in which strains met `work` where elastic layers would have met `elastic_work`.

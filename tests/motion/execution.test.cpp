@@ -1,8 +1,8 @@
 #include <vector>
 
-#include <strike/dynamics/execution.hpp>
 #include <strike/dynamics/method.hpp>
-#include <strike/dynamics/openmp.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/motion/openmp.hpp>
 
 #include "support/catch.hpp"
 

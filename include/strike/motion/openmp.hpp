@@ -23,7 +23,7 @@ struct OpenMP {
   void for_each(std::size_t n, const F& f) const {
 #ifdef _OPENMP
     const std::size_t team = static_cast<std::size_t>(threads > 0 ? threads : omp_get_max_threads());
-#pragma omp parallel for schedule(static) num_threads(static_cast <int>(std::min(team, n))) if (n > 1)
+#pragma omp parallel for schedule(static) num_threads(static_cast<int>(std::min(team, n))) if (n > 1)
 #endif
     for (std::size_t k = 0; k < n; ++k) f(k);
   }

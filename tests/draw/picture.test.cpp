@@ -1,8 +1,8 @@
 #include <limits>
 
+#include <strike/draw/picture.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/cylinder.hpp>
-#include <strike/output/picture.hpp>
 
 #include "drawing.hpp"
 #include "scratch.hpp"

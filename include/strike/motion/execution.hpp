@@ -9,9 +9,8 @@ namespace strike {
 /// Law: `for_each(n, f)` calls f(0), ..., f(n - 1) once each, in any order and side by side if it likes, and returns
 /// when all are done. The driver gives it work that does not throw and whose results do not depend on the order.
 template <class E>
-concept Execution = std::copyable<E> && requires(const E execution, void (*f)(std::size_t)) {
-  execution.for_each(std::size_t{}, f);
-};
+concept Execution =
+    std::copyable<E> && requires(const E execution, void (*f)(std::size_t)) { execution.for_each(std::size_t{}, f); };
 
 /// One after the other: what a run does unless told otherwise.
 struct Serial {

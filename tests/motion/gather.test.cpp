@@ -1,4 +1,4 @@
-#include <strike/dynamics/gather.hpp>
+#include <strike/motion/gather.hpp>
 
 #include "support/catch.hpp"
 

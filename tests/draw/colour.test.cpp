@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include <strike/output/colour.hpp>
+#include <strike/draw/colour.hpp>
 
 #include "support/catch.hpp"
 

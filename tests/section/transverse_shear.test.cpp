@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
-#include <strike/material/transverse_shear.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/scalar/pack.hpp>
+#include <strike/section/transverse_shear.hpp>
 
 #include "support/catch.hpp"
 #include "support/lay_ups.hpp"

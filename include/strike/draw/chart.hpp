@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include <strike/draw/svg.hpp>
 #include <strike/error.hpp>
 #include <strike/output/file.hpp>
-#include <strike/output/svg.hpp>
 #include <strike/text.hpp>
 
 namespace strike {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <strike/output/svg.hpp>
+#include <strike/draw/svg.hpp>
 
 #include "support/catch.hpp"
 

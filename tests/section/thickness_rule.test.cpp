@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <strike/material/thickness_rule.hpp>
+#include <strike/section/thickness_rule.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,0 +1,10 @@
+#pragma once
+#include <strike/motion/clock.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/motion/gather.hpp>
+#include <strike/motion/held_directions.hpp>
+#include <strike/motion/ledger.hpp>
+#include <strike/motion/motion.hpp>
+#include <strike/motion/nodes.hpp>
+#include <strike/motion/openmp.hpp>
+#include <strike/motion/step.hpp>
