@@ -40,8 +40,8 @@ Outcome outcome(Run run, double end, const Answer& answer) {
   o.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   o.steps = run.steps();
   o.answer = answer(run);
-  if constexpr (requires { run.step_bound().asked(); })
-    o.asked = run.step_bound().asked(), o.products = run.step_bound().products();
+  if constexpr (requires { run.step_bound().estimates(); })
+    o.asked = run.step_bound().estimates(), o.products = run.step_bound().products();
   return o;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/motion/central_differences.hpp>
 #include <strike/motion/clock.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/gather.hpp>

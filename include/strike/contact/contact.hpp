@@ -97,10 +97,8 @@ class Contact {
   }
 
   /// Takes the cells of a part that are not alive from the surfaces.
-  void remove(std::size_t part, const std::vector<bool>& alive)
-    requires requires(P p, const ContactNodes n) { p.start(n).remove(part, alive, n); }
-  {
-    meeting_->remove(part, alive, all_);
+  void remove(std::size_t part, const std::vector<bool>& alive) {
+    if constexpr (requires { meeting_->remove(part, alive, all_); }) meeting_->remove(part, alive, all_);
   }
 
   std::string warning() const {

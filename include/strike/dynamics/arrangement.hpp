@@ -17,29 +17,29 @@ struct Arrangement {
 };
 
 /// Errors: a part without elements; an element that names a node that is not there.
-template <class... Things>
-Arrangement arrange(const Scene<Things...>& scene) {
+template <class... Items>
+Arrangement arrange(const Scene<Items...>& scene) {
   Arrangement arrangement;
   std::vector<bool> named(scene.nodes.size(), false);
   const auto name = [&](Index node) {
     if (!named[node]) named[node] = true, arrangement.nodes.push_back(node);
   };
-  const auto place = [&](const auto& thing) {
-    if constexpr (is_part<std::decay_t<decltype(thing)>>) {
+  const auto place = [&](const auto& item) {
+    if constexpr (is_part<std::decay_t<decltype(item)>>) {
       const std::string part = std::to_string(arrangement.cells.size());
-      if (thing.cells.empty()) throw Error(joined({"strike: part ", part, " has no elements; give it cells."}));
-      for (std::size_t e = 0; e < thing.cells.size(); ++e)
-        for (const Index node : thing.cells[e])
+      if (item.cells.empty()) throw Error(joined({"strike: part ", part, " has no elements; give it cells."}));
+      for (std::size_t e = 0; e < item.cells.size(); ++e)
+        for (const Index node : item.cells[e])
           if (node >= scene.nodes.size())
             throw Error(
                 joined({"strike: element ", std::to_string(e), " of part ", part, " names node ", std::to_string(node),
                         ", but there are ", std::to_string(scene.nodes.size()), " nodes; correct its connectivity."}));
-      arrangement.cells.push_back(locality_order(scene.nodes, thing.cells));
+      arrangement.cells.push_back(locality_order(scene.nodes, item.cells));
       for (const Index e : arrangement.cells.back())
-        for (const Index node : thing.cells[e]) name(node);
+        for (const Index node : item.cells[e]) name(node);
     }
   };
-  std::apply([&](const auto&... thing) { (place(thing), ...); }, scene.things);
+  std::apply([&](const auto&... item) { (place(item), ...); }, scene.items);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) name(static_cast<Index>(i));
   return arrangement;
 }

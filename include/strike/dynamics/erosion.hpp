@@ -1,44 +1,35 @@
 #pragma once
-#include <cstddef>
+#include <cmath>
 #include <limits>
 
-#include <strike/element/element.hpp>
-#include <strike/scalar/scalar.hpp>
+#include <strike/dynamics/removal.hpp>
 
 namespace strike {
 
-/// The elements of a part stay whatever becomes of them: what its material makes fail gives no force, and the run ends
-/// where another is inverted.
-struct NoErosion {
-  template <class T>
-  struct Block {};
-  struct Tally {};
-};
+namespace detail {
+template <class M>
+constexpr bool has_plastic_strain() {
+  if constexpr (requires { M::has_plastic_strain; })
+    return M::has_plastic_strain;
+  else
+    return requires(typename M::template State<double> state) { state.equivalent_plastic_strain; };
+}
+}  // namespace detail
 
-/// An element of a part is deleted as soon as its material has failed at all its points, it is inverted, or one of
-/// these limits is passed. Then it gives no force and does not limit the step; its mass stays with its nodes, which fly
-/// on, and the energy that it held leaves with it: `Energy::eroded`.
+/// Limits beyond which elements of a part are deleted. They are so too as soon as their material has failed at all
+/// points, or they are inverted.
 ///   Part{Tet4{}, bird, mesh.tetrahedra, Erosion{.strain = 5, .volume = 0.05}}
 struct Erosion {
-  double strain = std::numeric_limits<double>::infinity();  ///< largest equivalent plastic, the mean over its points
-  double volume = 0;                                        ///< least V/V0, of a plate A/A0; 0: until it is inverted
-  double step = 0;  ///< least stable step of the element, before the factor [time]
+  /// largest equivalent strain: the plastic one, mean over the points; where the material has none the geometric one
+  double strain = std::numeric_limits<double>::infinity();
+  double volume = 0;  ///< least V/V0, of a plate A/A0; 0: until it is inverted
+  double step = 0;    ///< least stable step of the element, before the factor [time]
 
-  template <class T>
-  struct Block {
-    T alive{1.0};  ///< 1, or 0 once deleted
-    T initial_volume{};
-    T energy{};  ///< held by the element
-  };
-  /// What has been deleted.
-  struct Tally {
-    std::size_t deleted = 0;
-    double energy = 0;
-  };
+  template <class M>
+  static constexpr bool needs_geometric_strain_of = !detail::has_plastic_strain<M>();
 
-  /// Whether elements are within all limits.
-  template <class T, class State, int n>
-  auto keeps(const Block<T>& block, const State& state, const Response<T, n>& response) const {
+  template <class State, class E, class M, class T, bool has_geometry>
+  auto keeps(const State& state, const ElementCondition<E, M, T, has_geometry>& element) const {
     T plastic_strain = T(0.0), intact = T(0.0);
     double points = 0;
     state.each_point([&](const auto& point) {
@@ -49,8 +40,10 @@ struct Erosion {
       else
         intact += T(1.0);
     });
-    return intact > 0.0 && plastic_strain <= points * strain && response.volume > volume * block.initial_volume &&
-           response.critical_rate * step <= 1.0;
+    if constexpr (needs_geometric_strain_of<M>)
+      if (std::isfinite(strain)) plastic_strain = points * element.geometric_strain();
+    return intact > 0.0 && plastic_strain <= points * strain && element.volume > volume * element.initial_volume &&
+           element.critical_rate * step <= 1.0;
   }
 };
 

@@ -1,22 +1,22 @@
 #pragma once
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
-#include <strike/dynamics/relaxation.hpp>
+#include <strike/dynamics/dynamic_relaxation.hpp>
 #include <strike/dynamics/step_bound.hpp>
 #include <strike/dynamics/subcycling.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/nodes.hpp>
-#include <strike/pick.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
 
-/// Chooses the numbers of a run: T in the formulas of elements and materials, Node for the positions, velocities and
-/// forces of nodes, in which small changes add up.
-///   Explicit run{scene, options, in<Pack<float>>};          // all in single precision
-///   Explicit run{scene, options, in<Pack<float>, double>};  // mixed: elements in single, nodes in double precision
-///   Explicit run{scene, options, in<Dual<Pack<double>, 2>>};  // with derivatives, see strike/calibrate.hpp
+/// The numbers of a run: T in the formulas of elements and materials, Node for the positions, velocities and forces of
+/// nodes, in which small changes add up.
+///   Explicit run{scene, in<Pack<float>>};          // all in single precision
+///   Explicit run{scene, in<Pack<float>, double>};  // mixed: elements in single, nodes in double precision
+///   Explicit run{scene, in<Dual<Pack<double>, 2>>};  // with derivatives, see strike/calibrate.hpp
 template <class T, class Node = LaneOf<T>>
 struct In {
   using Number = T;
@@ -33,31 +33,60 @@ inline constexpr In<T, Node> in{};
 namespace detail {
 
 template <class P>
-struct IsNumbers : std::false_type {};
+inline constexpr bool is_numbers = false;
 template <class T, class Node>
-struct IsNumbers<In<T, Node>> : std::true_type {};
+inline constexpr bool is_numbers<In<T, Node>> = true;
 
-template <class P>
-struct IsExecution : std::bool_constant<Execution<P>> {};
-
-template <class P>
-struct IsStepBound : std::bool_constant<StepBound<P>> {};
-
-template <class P>
-    struct IsDamping : std::bool_constant < requires {
-  P::damps;
-} > {};
-
-template <class P>
-    struct IsCycle : std::bool_constant < requires {
-  P::subcycles;
-} > {};
+/// A kind of policy, with its default.
+struct NumbersKind {
+  template <class P>
+  static constexpr bool has = is_numbers<P>;
+  using Default = In<Pack<double>>;
+};
+struct ExecutionKind {
+  template <class P>
+  static constexpr bool has = Execution<P>;
+  using Default = Serial;
+};
+struct StepBoundKind {
+  template <class P>
+  static constexpr bool has = StepBound<P>;
+  using Default = ElementStep;
+};
+struct DampingKind {
+  template <class P>
+  static constexpr bool has = Damping<P>;
+  using Default = NoDamping;
+};
+struct CycleKind {
+  template <class P>
+  static constexpr bool has = Cycle<P>;
+  using Default = NoSubcycling;
+};
 
 template <class P>
 inline constexpr bool is_policy =
-    IsNumbers<P>::value || IsExecution<P>::value || IsStepBound<P>::value || IsDamping<P>::value || IsCycle<P>::value;
+    NumbersKind::has<P> || ExecutionKind::has<P> || StepBoundKind::has<P> || DampingKind::has<P> || CycleKind::has<P>;
 
-/// Whether the compiler has been told to compile this execution.
+/// The policy of a kind among others, or its default.
+template <class Kind>
+constexpr typename Kind::Default policy_of() {
+  return {};
+}
+template <class Kind, class P, class... Rest>
+constexpr auto policy_of(const P& policy, const Rest&... rest) {
+  if constexpr (Kind::template has<P>)
+    return policy;
+  else
+    return policy_of<Kind>(rest...);
+}
+template <class Kind, class... Policies>
+using PolicyOf = decltype(policy_of<Kind>(std::declval<Policies>()...));
+
+template <class Kind, class... Policies>
+inline constexpr bool is_told_once = (int{Kind::template has<Policies>} + ... + 0) <= 1;
+
+/// The compiler has been told to compile this execution.
 template <class E>
 constexpr bool is_available() {
   if constexpr (requires { E::is_available; })
@@ -66,21 +95,59 @@ constexpr bool is_available() {
     return true;
 }
 
-template <class... Policies>
-using NumbersOf = decltype(pick<IsNumbers>(std::declval<Policies>()..., In<Pack<double>>{}));
-template <class... Policies>
-using ExecutionOf = decltype(pick<IsExecution>(std::declval<Policies>()..., Serial{}));
-template <class... Policies>
-using StepBoundOf = decltype(pick<IsStepBound>(std::declval<Policies>()..., ElementStep{}));
-template <class... Policies>
-using DampingOf = decltype(pick<IsDamping>(std::declval<Policies>()..., NoDamping{}));
-template <class... Policies>
-using CycleOf = decltype(pick<IsCycle>(std::declval<Policies>()..., NoSubcycling{}));
-
-/// Whether the steps of parts can be told apart: the mesh as a whole has one, and rest has none.
-template <class Cycle, class Bound, class Damping>
-inline constexpr bool can_cycle = !Cycle::subcycles || (std::is_same_v<Bound, ElementStep> && !Damping::damps);
-
 }  // namespace detail
+
+/// The policies of a run, in any order and at most one of a kind: numbers (In), execution (Execution), the bound of the
+/// step (StepBound), damping (Damping) and the cycle of parts (Cycle). Each protocol stands at its concept; a kind that
+/// is not told has its default: in<Pack<double>>, Serial, ElementStep, NoDamping, NoSubcycling.
+template <class... Policies>
+class Method {
+  static constexpr bool known = (detail::is_policy<Policies> && ...);
+  static constexpr bool once = detail::is_told_once<detail::NumbersKind, Policies...> &&
+                               detail::is_told_once<detail::ExecutionKind, Policies...> &&
+                               detail::is_told_once<detail::StepBoundKind, Policies...> &&
+                               detail::is_told_once<detail::DampingKind, Policies...> &&
+                               detail::is_told_once<detail::CycleKind, Policies...>;
+
+ public:
+  using Numbers = detail::PolicyOf<detail::NumbersKind, Policies...>;
+  using Execution = detail::PolicyOf<detail::ExecutionKind, Policies...>;
+  using Bound = detail::PolicyOf<detail::StepBoundKind, Policies...>;
+  using Damping = detail::PolicyOf<detail::DampingKind, Policies...>;
+  using Cycle = detail::PolicyOf<detail::CycleKind, Policies...>;
+
+ private:
+  static constexpr bool available = detail::is_available<Execution>();
+  static constexpr bool fits =
+      !Cycle::needs_element_steps || (std::same_as<Bound, ElementStep> && std::same_as<Damping, NoDamping>);
+  static_assert(
+      known,
+      "strike: a policy of Explicit is unknown: it takes numbers, such as in<Pack<float>>, an execution, such "
+      "as OpenMP{}, a bound of the step, such as GlobalStep{}, DynamicRelaxation{} and Subcycling{}; its "
+      "ExplicitOptions come first.");
+  static_assert(!known || once,
+                "strike: Explicit has been given two policies of one kind: leave one numbers, one execution, one bound "
+                "of the step, one damping, one cycle.");
+  static_assert(available,
+                "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp, or compile with -fopenmp.");
+  static_assert(!once || fits,
+                "strike: Subcycling{} needs the steps of the elements and true times: leave out GlobalStep{} and "
+                "DynamicRelaxation{}.");
+
+ public:
+  /// No static_assert has reported it.
+  static constexpr bool sound = known && once && available && fits && Numbers::is_scalar;
+
+  explicit Method(const Policies&... policies)
+      : execution(detail::policy_of<detail::ExecutionKind>(policies...)),
+        bound(detail::policy_of<detail::StepBoundKind>(policies...)),
+        damping(detail::policy_of<detail::DampingKind>(policies...)),
+        cycle(detail::policy_of<detail::CycleKind>(policies...)) {}
+
+  [[no_unique_address]] Execution execution;
+  [[no_unique_address]] Bound bound;
+  [[no_unique_address]] Damping damping;
+  [[no_unique_address]] Cycle cycle;
+};
 
 }  // namespace strike

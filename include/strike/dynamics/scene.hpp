@@ -1,112 +1,80 @@
 #pragma once
+#include <concepts>
+#include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include <strike/dynamics/item.hpp>
 #include <strike/dynamics/part.hpp>
-#include <strike/motion/ledger.hpp>
 #include <strike/motion/nodes.hpp>
-#include <strike/motion/step.hpp>
 
 namespace strike {
 
 namespace detail {
 
-template <class Thing>
+template <class Item>
 inline constexpr bool is_part = false;
 template <class E, class M, std::size_t n, class R>
 inline constexpr bool is_part<Part<E, M, n, R>> = true;
 
-template <class Thing>
+template <class Item>
 inline constexpr bool turns_nodes_of = false;
 template <class E, class M, std::size_t n, class R>
+  requires(Part<E, M, n, R>::flaw == Flaw::none)
 inline constexpr bool turns_nodes_of<Part<E, M, n, R>> = turns_nodes<E>();
 
-template <class Thing>
-concept HasAVerb =
-    requires(Thing thing, Nodes<double> nodes) { thing.begin(nodes); } ||
-    requires(Thing thing, Nodes<double> nodes) { thing.apply_loads(nodes, 0.0); } ||
-    requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) { thing.constrain(nodes, step, ledger); } ||
-    requires(Thing thing, Nodes<double> nodes, Step step, Ledger ledger) {
-      thing.resolve_contact(nodes, step, ledger);
-    } || requires(Thing thing, std::vector<bool> alive) { thing.remove(std::size_t{}, alive); };
-
-/// Says what it remembers; see strike/output/archive.hpp.
-template <class Thing, class Archive>
-concept Serializes = requires(Thing& thing, Archive& archive) { thing.serialize(archive); };
-
-template <class Thing>
+/// The item can be put into a scene: a part without a fault, or a class. Its functions are looked at when the numbers
+/// of the run are known.
+template <class Item>
 constexpr bool is_sound() {
-  if constexpr (is_part<Thing>)
-    return Thing::flaw == Flaw::none;
+  if constexpr (is_part<Item>)
+    return Item::flaw == Flaw::none;
   else
-    return HasAVerb<Thing>;
+    return std::is_class_v<Item>;
 }
 
+/// An argument that stands where the positions of the nodes belong.
+template <class Argument>
+struct NotPositions {};
+
 }  // namespace detail
 
-/// What a scene holds: its nodes and the things that act on them, parts, loads and contacts in any order.
-///
-/// A thing has some of these verbs, which a step calls in this order, and among things in the order of the scene:
-/// - `begin(nodes)`, once: initial conditions, and a look at all nodes;
-/// - `compute_forces(nodes, dt, ledger, execution)`: a part's forces at the new positions; returns its StableStep;
-/// - `stable_step(dt)`: what the thing leaves of a stable step, after all parts have told theirs;
-/// - `apply_loads(nodes, time)`: adds forces; `power(nodes)`: what these do at the present velocities;
-/// - `constrain(nodes, step, ledger)`: gives the velocities of the step to come along the directions that the thing has
-///   taken from its nodes by `nodes.hold` in `begin`;
-/// - `resolve_contact(nodes, step, ledger)`: contact; corrects the velocities along what directions are `nodes.free`;
-/// - `remove(part, alive)`: after a `deform` that has deleted elements, once for each such part, given by its number;
-///   `alive[e]` says whether its element e is there;
-/// - `serialize(archive)`: what it remembers, for a Checkpoint; see strike/output/archive.hpp.
-template <class... Things>
+/// A scene: the positions of its nodes, and the items that act on them, parts, loads and contacts in any order. The
+/// functions that an item may have are listed in strike/dynamics/item.hpp.
+template <class... Items>
 struct Scene {
-  static_assert(
-      ((detail::is_part<Things> || detail::HasAVerb<Things>)&&...),
-      "strike: one of the things in this Scene is neither a Part nor has one of the verbs begin(nodes), push(nodes, "
-      "time), constrain(nodes, step, ledger), resolve_contact(nodes, step, ledger) and remove(part, alive).");
-  static_assert((detail::is_part<Things> || ...), "strike: a Scene needs at least one Part.");
-  /// Whether any of its elements turns its nodes.
-  static constexpr bool nodes_turn = (detail::turns_nodes_of<Things> || ...);
-  /// Whether the compiler has not complained about any of its things.
-  static constexpr bool sound = (detail::is_sound<Things>() && ...) && (detail::is_part<Things> || ...);
+  static_assert((std::is_class_v<Items> && ...),
+                "strike: one of the items in this Scene is a number or a pointer: a Scene takes its nodes, then parts, "
+                "loads, supports and contacts.");
+  static_assert((detail::is_part<Items> || ...), "strike: a Scene needs at least one Part.");
+  /// Some of its elements turn their nodes.
+  static constexpr bool nodes_turn = (detail::turns_nodes_of<Items> || ...);
+  /// No static_assert has reported any of its items.
+  static constexpr bool sound = (detail::is_sound<Items>() && ...) && (detail::is_part<Items> || ...);
 
   std::vector<Eigen::Vector3d> nodes;
-  std::tuple<Things...> things;
+  std::tuple<Items...> items;
 
-  explicit Scene(std::vector<Eigen::Vector3d> positions, Things... pieces)
-      : nodes(std::move(positions)), things(std::move(pieces)...) {}
+  explicit Scene(std::vector<Eigen::Vector3d> positions, Items... pieces)
+      : nodes(std::move(positions)), items(std::move(pieces)...) {}
 };
 
-namespace detail {
-
-template <class Bound, class Thing>
-inline constexpr bool is_bounded_thing = true;
-template <class Bound, class E, class M, std::size_t n, class R>
-  requires(Part<E, M, n, R>::flaw == Flaw::none)
-inline constexpr bool is_bounded_thing<Bound, Part<E, M, n, R>> = Bound::template suits<E, M>;
-/// Whether the bound of the step has what it needs from every part.
-template <class Bound, class... Things>
-inline constexpr bool is_bounded = (is_bounded_thing<Bound, Things> && ...);
-
-/// A thing of a scene at work: parts take their lanes and what the bound of the step needs, the rest stays as it is.
-template <class Thing, class Numbers, class Nodes, class Bound>
-struct Running {
-  using type = Thing;
-  static Thing start(Thing thing, Nodes&, std::vector<std::vector<Index>>&, std::size_t&) { return thing; }
+/// Fallback for a scene without positions in the first place: its static_assert is the one message.
+template <class Argument, class... Items>
+struct Scene<detail::NotPositions<Argument>, Items...> {
+  static_assert(!std::same_as<Argument, Argument>,
+                "strike: the first piece of a Scene is the positions of its nodes, such as bar.nodes of the mesh bar.");
+  static constexpr bool nodes_turn = false, sound = false;
+  explicit Scene(const auto&...) {}
 };
-template <class E, class M, std::size_t n, class R, class Numbers, class Nodes, class Bound>
-struct Running<Part<E, M, n, R>, Numbers, Nodes, Bound> {
-  using RunningElement = typename Bound::template Element<E>;
-  using RunningMaterial = typename Bound::template Material<M>;
-  using type = RunningPart<RunningElement, RunningMaterial, typename Numbers::Number, Nodes, R>;
-  static type start(Part<E, M, n, R> part, Nodes& nodes, std::vector<std::vector<Index>>& orders, std::size_t& number) {
-    const std::size_t mine = number++;
-    return type({RunningElement{std::move(part.element)}, RunningMaterial{std::move(part.material)},
-                 std::move(part.cells), part.removal},
-                nodes, mine, std::move(orders[mine]));
-  }
-};
-
-}  // namespace detail
+template <class... Items>
+Scene(std::vector<Eigen::Vector3d>, Items...) -> Scene<Items...>;
+template <class Argument, class... Items>
+  requires(!std::convertible_to<Argument, std::vector<Eigen::Vector3d>>)
+Scene(Argument, Items...) -> Scene<detail::NotPositions<Argument>, Items...>;
 
 }  // namespace strike

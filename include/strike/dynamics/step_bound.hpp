@@ -6,16 +6,23 @@
 
 namespace strike {
 
-/// What bounds the stable step of a run.
-/// A model has
-/// - `Element<E>` and `Material<M>`: what parts work with instead of E and M so that the bound knows what it needs,
-///   and whether that `suits<E, M>`;
-/// - `Running<Nodes, Things>`, begun from the model, with `extend(stable, nodes, things, execution)`: after the forces
-///   of a step, replaces the least stable step of all elements by a larger one that is as safe.
+// A bound of the stable step of a run, a policy of Explicit.
+//
+// Requirements.
+//  1. Element<E>, Material<M>      the types that parts work with instead of E and M, so that the bound finds in their
+//                                  states what it needs
+//  2. suits<E, M>                  static constexpr bool: it can work with such elements
+//  3. Running<Nodes, Items>        the bound at work, constructed from the model, with
+//     extend(stable, nodes, items, execution)   after the forces of a step: replaces the least stable step of all
+//                                               elements by a larger one, and
+//     serialize(archive)                        its memory
+// Laws. The step that it allows is stable; it depends neither on the order of the items nor on the threads.
+//
+// Models: ElementStep, GlobalStep.
 template <class B>
 concept StepBound = std::copyable<B> && requires { typename B::template Running<Nodes<double>, std::tuple<>>; };
 
-/// The least stable step of all elements: what a run takes unless told otherwise.
+/// The least stable step of all elements: the default.
 struct ElementStep {
   template <class E>
   using Element = E;
@@ -24,11 +31,12 @@ struct ElementStep {
   template <class E, class M>
   static constexpr bool suits = true;
 
-  template <class Nodes, class Things>
+  template <class Nodes, class Items>
   struct Running {
     explicit Running(ElementStep) {}
     template <class Stable, class Execution>
-    void extend(Stable&, Nodes&, Things&, const Execution&) {}
+    void extend(Stable&, Nodes&, Items&, const Execution&) {}
+    void serialize(auto&) {}
   };
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -10,15 +11,54 @@
 #include <vector>
 
 #include <strike/dynamics/part.hpp>
+#include <strike/dynamics/patches.hpp>
 #include <strike/motion/execution.hpp>
+#include <strike/motion/ledger.hpp>
 #include <strike/motion/motion.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
 
-/// How often parts are advanced: all in each step, unless told otherwise.
+// The cycle in which parts are advanced, a policy of Explicit.
+//
+// Requirements.
+//  1. Running<Nodes>                                  the cycle at work, constructed from the model, with
+//     multiple()                                      steps of a cycle
+//     is_complete() -> bool                           all parts are where the nodes are
+//     begin(items, nodes) -> bool                     called once after the first forces: true if they are to be
+//                                                     computed again, since parts have changed their pace
+//     next_step(before, left) -> double               the step within a cycle that is not complete
+//     drift(nodes, dt, execution)                     called after the nodes have moved
+//     compute_forces(part, nodes, dt, ledger, execution) -> StableStep
+//     add_warnings(items, warnings), serialize(archive)
+//  2. needs_element_steps                             static constexpr bool: it works with ElementStep alone
+//
+// Models: NoSubcycling, Subcycling.
+template <class C>
+concept Cycle = std::copyable<C> && requires {
+  typename C::template Running<Nodes<double>>;
+  { C::needs_element_steps } -> std::convertible_to<bool>;
+};
+
+/// All parts are advanced in each step: the default.
 struct NoSubcycling {
-  static constexpr bool subcycles = false;
+  static constexpr bool needs_element_steps = false;
+
+  template <class Nodes>
+  struct Running {
+    explicit Running(NoSubcycling) {}
+    static constexpr std::size_t multiple() { return 1; }
+    static constexpr bool is_complete() { return true; }
+    static constexpr bool begin(const auto&, const Nodes&) { return false; }
+    static constexpr double next_step(double before, double) { return before; }
+    static void drift(const Nodes&, double, const auto&) {}
+    template <class Part, class Execution>
+    static StableStep compute_forces(Part& part, Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+      return part.compute_forces(nodes, dt, ledger, execution);
+    }
+    static void add_warnings(const auto&, std::vector<std::string>&) {}
+    void serialize(auto&) {}
+  };
 };
 
 /// Parts whose elements allow steps `multiple` times as large as the least are advanced in every `multiple`-th step
@@ -31,52 +71,38 @@ struct Subcycling {
   std::size_t largest = 8;  ///< multiple; which one saves most is found from the steps of the parts at the start
   std::size_t layers = 2;   ///< of elements of a slow part, from a fast one on, that are advanced in each step
 
-  static constexpr bool subcycles = true;
+  static constexpr bool needs_element_steps = true;
+  template <class Nodes>
+  class Running;
 };
 
-namespace detail {
-
-/// Subcycling at work.
-template <class Policy, class Nodes>
-class RunningCycle {
- public:
-  explicit RunningCycle(const Policy&) {}
-
-  static constexpr std::size_t multiple() { return 1; }
-  static constexpr bool is_complete() { return true; }
-
-  template <class Part, class Execution>
-  StableStep compute_forces(Part& part, Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
-    return part.compute_forces(nodes, dt, ledger, execution);
-  }
-};
-
+/// The cycle at work.
 template <class Nodes>
-class RunningCycle<Subcycling, Nodes> {
+class Subcycling::Running {
  public:
-  explicit RunningCycle(const Subcycling& policy) : policy_(policy) {}
+  explicit Running(const Subcycling& policy) : policy_(policy) {}
 
-  /// How many steps a cycle has.
+  /// Number of steps of a cycle.
   std::size_t multiple() const { return multiple_; }
-  /// Whether all parts are where the nodes are.
+  /// All parts are where the nodes are.
   bool is_complete() const { return done_ == 0; }
 
-  /// When all parts have told their steps: chooses which are slow.
-  template <class Things>
-  void begin(const Things& things, const Nodes& nodes) {
-    choose(things);
-    if (multiple_ == 1) return;
+  /// Chooses the slow parts from the steps of all, and their elements that are near fast ones.
+  template <class Items>
+  bool begin(const Items& items, const Nodes& nodes) {
+    choose(items);
+    if (multiple_ == 1) return true;
     mean_.velocity.assign(nodes.places(), mean_.zero());
     if constexpr (Nodes::nodes_turn) mean_.angular_velocity = mean_.velocity;
 
     std::vector<bool> fast(nodes.size());
-    each_part(things, [&](const auto& part, const Pace& pace) {
+    each_part(items, [&](const auto& part, const Pace& pace) {
       if (pace.slow.empty())
         for_each_element(part, nodes, [&](std::size_t, const auto& corners) { mark(corners, fast); });
     });
     for (std::size_t layer = 0; layer < policy_.layers; ++layer) {
       const std::vector<bool> before = fast;
-      each_part(things, [&](const auto& part, Pace& pace) {
+      each_part(items, [&](const auto& part, Pace& pace) {
         if (pace.slow.empty()) return;
         for_each_element(part, nodes, [&](std::size_t b, const auto& corners) {
           if (std::none_of(corners.begin(), corners.end(), [&](Index i) { return before[i]; })) return;
@@ -87,13 +113,14 @@ class RunningCycle<Subcycling, Nodes> {
     }
 
     std::vector<bool> slow(nodes.size());
-    each_part(things, [&](const auto& part, const Pace& pace) {
+    each_part(items, [&](const auto& part, const Pace& pace) {
       for_each_element(part, nodes, [&](std::size_t b, const auto& corners) {
         if (!pace.slow.empty() && pace.slow[b]) mark(corners, slow);
       });
     });
     for (Index i = 0; i < nodes.size(); ++i)
       if (slow[i]) places_.push_back(i);
+    return true;
   }
 
   /// The next step of a cycle that is not complete: as those before, but for the end of the run.
@@ -102,7 +129,7 @@ class RunningCycle<Subcycling, Nodes> {
     return even < (1 + 1e-9) * before ? even : before;
   }
 
-  /// What a step does to the nodes.
+  /// Adds a step to the mean velocities of the nodes of slow parts.
   template <class Execution>
   void drift(const Nodes& nodes, double dt, const Execution& execution) {
     if (multiple_ == 1) return;
@@ -111,7 +138,7 @@ class RunningCycle<Subcycling, Nodes> {
     done_ = (done_ + 1) % multiple_;
     const Vector dt_ = static_cast<RealOf<Vector>>(dt),
                  per_duration = static_cast<RealOf<Vector>>(is_complete() ? 1 / duration_ : 1);
-    for_each_chunk(execution, places_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+    detail::for_each_chunk(execution, places_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       const auto add = [&](const auto& v, auto& mean) {
         for (std::size_t k = first; k < last; ++k) {
           const Index i = places_[k];
@@ -130,7 +157,7 @@ class RunningCycle<Subcycling, Nodes> {
     Pace& pace = paces_[part.number()];
     const StableStep stable = [&] {
       if constexpr (can_wait<Part>)
-        return part.compute_forces(nodes, ledger, execution, Turn{*this, pace, dt});
+        return part.compute_forces(nodes, ledger, execution, Schedule{*this, pace, dt});
       else
         return part.compute_forces(nodes, dt, ledger, execution);
     }();
@@ -138,7 +165,7 @@ class RunningCycle<Subcycling, Nodes> {
     return stable;
   }
 
-  /// How many elements of a part are advanced once in a cycle.
+  /// Number of elements of a part that are advanced once in a cycle.
   template <class Part>
   std::size_t slow(const Part& part) const {
     const Pace& pace = paces_[part.number()];
@@ -147,15 +174,15 @@ class RunningCycle<Subcycling, Nodes> {
     return count;
   }
   /// A sentence for each slow part.
-  template <class Things>
-  void tell(const Things& things, std::vector<std::string>& warnings) const {
-    each_part(things, [&](const auto& part, const Pace& pace) {
+  template <class Items>
+  void add_warnings(const Items& items, std::vector<std::string>& warnings) const {
+    each_part(items, [&](const auto& part, const Pace& pace) {
       if (pace.slow.empty()) return;
-      std::string text = joined(
+      std::string text = detail::joined(
           {"part ", std::to_string(part.number()), " is advanced once in ", std::to_string(multiple_), " steps"});
       if (const std::size_t near = part.size() - slow(part); near > 0)
-        text += joined({", but for ", std::to_string(near), " of its ", std::to_string(part.size()),
-                        " elements, which are near faster ones"});
+        text += detail::joined({", but for ", std::to_string(near), " of its ", std::to_string(part.size()),
+                                " elements, which are near faster ones"});
       warnings.push_back(text + ".");
     });
   }
@@ -177,17 +204,17 @@ class RunningCycle<Subcycling, Nodes> {
     double own_step = 0;
   };
 
-  /// What is advanced after a step, see EveryStep.
-  class Turn {
+  /// The blocks that are advanced after a step, see EveryStep.
+  class Schedule {
    public:
-    Turn(RunningCycle& cycle, const Pace& pace, double dt) : cycle_(cycle), pace_(pace), dt_(dt) {}
+    Schedule(Running& cycle, const Pace& pace, double dt) : cycle_(cycle), pace_(pace), dt_(dt) {}
 
-    void load(const Patches& patches, const Patch& patch) const {
+    void load(const detail::Patches& patches, const detail::Patch& patch) const {
       if (pace_.slow.empty() || !cycle_.is_complete()) return;
       patches.refresh(patch, cycle_.mean_.velocity);
       if constexpr (Nodes::nodes_turn) patches.refresh(patch, cycle_.mean_.angular_velocity);
     }
-    bool comes(std::size_t b) const { return cycle_.is_complete() || !is_slow(b); }
+    bool is_due(std::size_t b) const { return cycle_.is_complete() || !is_slow(b); }
     double dt(std::size_t b) const { return is_slow(b) ? cycle_.duration_ : dt_; }
     const Motion& velocities(std::size_t b, const Motion& motion) const { return is_slow(b) ? cycle_.mean_ : motion; }
     template <class T, class A>
@@ -198,7 +225,7 @@ class RunningCycle<Subcycling, Nodes> {
    private:
     bool is_slow(std::size_t b) const { return !pace_.slow.empty() && pace_.slow[b]; }
 
-    RunningCycle& cycle_;
+    Running& cycle_;
     const Pace& pace_;
     double dt_;
   };
@@ -208,25 +235,25 @@ class RunningCycle<Subcycling, Nodes> {
   static constexpr bool can_wait = !Part::averages_volume;
 
   /// f(part, its pace).
-  template <class Things, class F>
-  void each_part(const Things& things, const F& f) {
-    each_part(things, paces_, f);
+  template <class Items, class F>
+  void each_part(const Items& items, const F& f) {
+    each_part(items, paces_, f);
   }
-  template <class Things, class F>
-  void each_part(const Things& things, const F& f) const {
-    each_part(things, paces_, f);
+  template <class Items, class F>
+  void each_part(const Items& items, const F& f) const {
+    each_part(items, paces_, f);
   }
-  template <class Things, class Paces, class F>
-  static void each_part(const Things& things, Paces& paces, const F& f) {
-    const auto visit = [&](const auto& thing) {
-      if constexpr (requires { thing.number(); }) f(thing, paces[thing.number()]);
+  template <class Items, class Paces, class F>
+  static void each_part(const Items& items, Paces& paces, const F& f) {
+    const auto visit = [&](const auto& item) {
+      if constexpr (requires { item.patches(); }) f(item, paces[item.number()]);
     };
-    std::apply([&](const auto&... thing) { (visit(thing), ...); }, things);
+    std::apply([&](const auto&... item) { (visit(item), ...); }, items);
   }
 
   /// The multiple with which the fewest elements are advanced, and the parts that allow it.
-  template <class Things>
-  void choose(const Things& things) {
+  template <class Items>
+  void choose(const Items& items) {
     double least = std::numeric_limits<double>::infinity();
     for (const Pace& pace : paces_) least = std::min(least, pace.own_step);
     const auto allows = [&](const auto& part, const Pace& pace, std::size_t multiple) {
@@ -236,13 +263,13 @@ class RunningCycle<Subcycling, Nodes> {
     double fewest = std::numeric_limits<double>::infinity();
     for (std::size_t multiple = 1; multiple <= policy_.largest; ++multiple) {
       double advanced = 0;
-      each_part(things, [&](const auto& part, const Pace& pace) {
+      each_part(items, [&](const auto& part, const Pace& pace) {
         const auto size = static_cast<double>(part.size());
         advanced += allows(part, pace, multiple) ? size / static_cast<double>(multiple) : size;
       });
       if (advanced < fewest) fewest = advanced, multiple_ = multiple;
     }
-    each_part(things, [&](const auto& part, Pace& pace) {
+    each_part(items, [&](const auto& part, Pace& pace) {
       if (allows(part, pace, multiple_)) pace.slow.assign(part.blocks().size(), true);
     });
   }
@@ -269,7 +296,5 @@ class RunningCycle<Subcycling, Nodes> {
   Motion mean_;                          // their velocities over the cycle; until it is complete, paths
   std::vector<Pace> paces_;              // of the parts
 };
-
-}  // namespace detail
 
 }  // namespace strike

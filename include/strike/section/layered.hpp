@@ -34,6 +34,8 @@ concept KnowsNormalRate = requires(const M m, const typename M::template State<d
                                    typename M::Kinematics::template Stress<double> change) {
   { m.normal_rate(state, rate, 1.0, change) } -> std::convertible_to<double>;
 };
+template <class State>
+concept HasPlasticStrain = requires(const State state) { state.equivalent_plastic_strain; };
 template <class M>
 concept Begins = requires(const M m, typename M::template State<double> state) { m.begin(state); };
 template <class P>
@@ -144,7 +146,7 @@ template <class P>
 struct Piece {
   static constexpr bool is_shear = ShearPolicy<P>, is_offset = std::same_as<P, Offset>;
   static constexpr bool is_layer = false, is_plies = false, is_known = is_shear || is_offset, is_sound = true;
-  static constexpr bool begins = false, can_fail = false;
+  static constexpr bool begins = false, can_fail = false, has_plastic_strain = false;
   struct Numbers {};
   template <class Shear, class T>
   struct State {};
@@ -153,7 +155,10 @@ template <class M, class R>
 struct Piece<Layer<M, R>> {
   static constexpr bool is_shear = false, is_offset = false;
   static constexpr bool is_layer = true, is_plies = false, is_known = true, is_sound = Layer<M, R>::sound;
-  static constexpr bool begins = Begins<M>, can_fail = CanFail<M>;
+  static constexpr bool begins = Begins<M>, can_fail = CanFail<M>,
+                        has_plastic_strain = HasPlasticStrain<typename M::template State<double>>;
+  template <class T>
+  using PointState = typename M::template State<T>;
   using Numbers = std::array<LayerNumbers<point_count<R>>, 1>;
   template <class Shear, class T>
   using State = std::array<LayerState<Shear, Layer<M, R>, T>, 1>;
@@ -169,6 +174,13 @@ struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
   static const Layer<M, R>& layer(const Plies<Layer<M, R>>& plies) { return plies.layer; }
   static std::size_t count(const Plies<Layer<M, R>>& plies) { return plies.count; }
 };
+
+/// The first piece that has points.
+template <class P, class... Rest>
+struct FirstLayer : FirstLayer<Rest...> {};
+template <class P, class... Rest>
+  requires Piece<P>::is_layer
+struct FirstLayer<P, Rest...> : Piece<P> {};
 
 constexpr EnergyShear shear_of() { return {}; }
 template <class P, class... Rest>
@@ -229,6 +241,11 @@ class Layered {
  public:
   static constexpr bool sound = known && has_layers && unique && (detail::Piece<Pieces>::is_sound && ...);
   using Kinematics = PlateKinematics;
+  /// Points of some layer can flow.
+  static constexpr bool has_plastic_strain = (detail::Piece<Pieces>::has_plastic_strain || ...);
+  /// The state of the points in the lowest layer.
+  template <class T>
+  using PointState = typename detail::FirstLayer<Pieces...>::template PointState<T>;
 
   /// Per layer what its points remember, the shear force, and what the shear policy needs.
   template <class T>

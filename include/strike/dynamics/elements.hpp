@@ -1,0 +1,142 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <strike/dynamics/part.hpp>
+#include <strike/dynamics/removal.hpp>
+#include <strike/element/element.hpp>
+#include <strike/error.hpp>
+#include <strike/material/material.hpp>
+#include <strike/mesh/describe.hpp>
+#include <strike/motion/gather.hpp>
+#include <strike/text.hpp>
+
+namespace strike::detail {
+
+/// The type of a value per element: a number in lanes becomes a double, a tensor or vector of such one of doubles.
+template <class Value>
+struct ElementValue {
+  using type = double;
+};
+template <class T>
+struct ElementValue<SymmetricTensor<T>> {
+  using type = SymmetricTensor<double>;
+};
+template <class T>
+struct ElementValue<PlaneTensor<T>> {
+  using type = PlaneTensor<double>;
+};
+template <class T, int rows, int columns, int options>
+struct ElementValue<Eigen::Matrix<T, rows, columns, options>> {
+  using type = Eigen::Matrix<double, rows, columns>;
+};
+
+/// The state of a material point: that of the material, or of a section that of the points in its first layer.
+template <class M, class T>
+struct PointStateOf {
+  using type = typename M::template State<T>;
+};
+template <class M, class T>
+  requires requires { typename M::template PointState<T>; }
+struct PointStateOf<M, T> {
+  using type = typename M::template PointState<T>;
+};
+
+/// The type of f(state of a point) in lanes of T: T itself where that is a number.
+template <class F, class M, class T>
+struct PointValueOf {
+  using Value = std::remove_cvref_t<std::invoke_result_t<const F&, const typename PointStateOf<M, T>::type&>>;
+  using type = std::conditional_t<std::convertible_to<Value, T>, T, Value>;
+};
+template <class F, class M, class T>
+using PointValue = typename PointValueOf<F, M, T>::type;
+
+/// The elements of a part in memory: model, material, and states in blocks of lanes, neighbours together. Elements are
+/// known by their places, lane after lane and block after block; `order[p]` is the user's number of that at place p.
+template <class E, class M, class T, class Removal>
+struct Elements {
+  static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
+  static constexpr std::size_t width = lanes<T>;
+  static constexpr bool erodes = !std::same_as<Removal, NoErosion>;
+  static constexpr bool has_geometry = needs_geometric_strain<Removal, M>();
+  static constexpr bool averages_volume = requires { requires E::averages_volume; };
+  using State = typename E::template State<M, T>;
+  /// Elements of such a part may give no force any more.
+  static constexpr bool loses_elements = erodes || requires(const M m, const State s) { m.intact(s.material); };
+
+  struct Nothing {};
+  struct Block {
+    BlockNodes<n, width> nodes;
+    State state;
+    [[no_unique_address]] std::conditional_t<erodes, RemovalState<T, has_geometry>, Nothing> removal{};
+  };
+
+  E element;
+  M material;
+  [[no_unique_address]] Removal removal;
+  std::size_t size;    ///< number of elements
+  std::size_t number;  ///< of the part among those of the scene, from 0
+  std::vector<Index> order;
+  std::vector<Block> blocks{};
+
+  /// The lanes of block b that hold elements: the first ones.
+  std::size_t count(std::size_t b) const { return b + 1 < blocks.size() ? width : size - b * width; }
+  /// 1 in those lanes of the last block, 0 in the idle ones, which repeat the last element.
+  T busy() const {
+    T ones = T(0.0);
+    for (std::size_t l = 0; l < count(blocks.size() - 1); ++l) set_lane(ones, l, RealOf<T>(1));
+    return ones;
+  }
+
+  std::size_t place_of(std::size_t e) const {
+    return static_cast<std::size_t>(std::find(order.begin(), order.end(), e) - order.begin());
+  }
+  /// The numbers of the nodes of the element at a place.
+  template <class N>
+  std::array<Index, n> cell(const N& nodes, std::size_t place) const {
+    std::array<Index, n> c;
+    for (std::size_t i = 0; i < n; ++i) c[i] = nodes.number(blocks[place / width].nodes[i][place % width]);
+    return c;
+  }
+  /// "element 7 of part 0 at (x, y, z)", of the element at a place.
+  template <class N>
+  [[gnu::cold]] std::string describe(const N& nodes, std::size_t place) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Index i : cell(nodes, place)) sum += nodes.x(i).template cast<double>();
+    return joined({"element ", std::to_string(order[place]), " of part ", std::to_string(number), " at ",
+                   text(Eigen::Vector3d((1.0 / static_cast<double>(n)) * sum))});
+  }
+
+  /// A value per element by its number, the mean over the points that visit(state, add) adds as f(point).
+  template <class F, class Visit>
+  auto mean_over_points(const F& f, const Visit& visit) const {
+    using Sum = PointValue<F, M, T>;
+    std::vector<typename ElementValue<Sum>::type> values(size);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      Sum sum;
+      const auto in_sum = numbers_of<T>(sum);
+      std::fill(in_sum.begin(), in_sum.end(), T(0.0));
+      double points = 0;
+      visit(blocks[b].state, [&](const auto& point) {
+        const Sum value = Sum(f(point));
+        const auto in_value = numbers_of<T>(value);
+        for (std::size_t k = 0; k < in_sum.size(); ++k) in_sum[k] += in_value[k];
+        points += 1;
+      });
+      for (std::size_t l = 0; l < count(b); ++l) {
+        const auto in_element = numbers_of<double>(values[order[b * width + l]]);
+        for (std::size_t k = 0; k < in_sum.size(); ++k)
+          in_element[k] = static_cast<double>(lane(in_sum[k], l)) / points;
+      }
+    }
+    return values;
+  }
+};
+
+}  // namespace strike::detail

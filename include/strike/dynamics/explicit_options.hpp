@@ -1,0 +1,16 @@
+#pragma once
+#include <limits>
+
+namespace strike {
+
+/// Options of the driver.
+struct ExplicitOptions {
+  double step_factor = 0.9;                                       ///< of the stable step
+  double step_growth = 1.05;                                      ///< largest ratio of a step to the one before
+  double largest_step = std::numeric_limits<double>::infinity();  ///< [time]
+  double smallest_step = 0;        ///< the run is given up below it; 0: below a millionth of the first [time]
+  double energy_tolerance = 0.05;  ///< the run is given up if the balance is off by more
+  bool print_warnings = true;      ///< on stderr, when the run starts
+};
+
+}  // namespace strike

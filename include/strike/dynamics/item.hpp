@@ -1,0 +1,203 @@
+#pragma once
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include <strike/motion/ledger.hpp>
+#include <strike/motion/step.hpp>
+#include <strike/protocol.hpp>
+
+namespace strike {
+
+// An item of a scene: a load, a support, a contact, or anything else that acts on its nodes.
+//
+// Requirements. An item has at least one of the functions 1 to 6, and may have the others. A step calls them in this
+// order, and one function of all items in the order of the scene. `nodes` are strike/motion/nodes.hpp's, in the numbers
+// of the run: take them as a template parameter.
+//  1. begin(nodes)                           once, when the masses are known: initial velocities, held directions
+//  2. stable_step(dt) -> double              the stable step that is left of the elements' dt
+//  3. apply_loads(nodes, time)               adds forces at the new positions, by nodes.add_force;
+//     power(nodes) -> double                 and their power at the present velocities, for the balance: both or
+//     neither
+//  4. constrain(nodes, step, ledger)         sets the velocities of the coming step along directions that it has taken
+//                                            from its nodes by nodes.hold in begin
+//  5. resolve_contact(nodes, step, ledger)   corrects the velocities along directions that are nodes.free
+//  6. remove(part, alive)                    after a step that has deleted elements, once for each such part: `part` is
+//                                            its number, alive[e] is false once its element e is deleted
+//  7. warning() -> std::string               a sentence that the user should read before the results; empty: none
+//  8. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
+//
+// Laws. Work that enters or leaves the nodes is booked, by the ledger or by power. The result does not depend on how
+// nodes lie in memory: an item names them by their numbers. An item that changes no velocity and no force changes no
+// bit of the run.
+//
+// Models: strike/load/, strike/contact/; examples/own_contact.
+
+namespace detail::item {
+
+struct Begin {
+  struct Decoy {
+    int begin;
+  };
+  template <class Item>
+  using Member = decltype(&Item::begin);
+  static auto call(auto& item, auto& nodes) -> decltype(item.begin(nodes)) { return item.begin(nodes); }
+};
+struct StableStep {
+  struct Decoy {
+    int stable_step;
+  };
+  template <class Item>
+  using Member = decltype(&Item::stable_step);
+  static auto call(auto& item, double dt) -> decltype(double(item.stable_step(dt))) { return item.stable_step(dt); }
+};
+struct ApplyLoads {
+  struct Decoy {
+    int apply_loads;
+  };
+  template <class Item>
+  using Member = decltype(&Item::apply_loads);
+  static auto call(auto& item, auto& nodes, double time) -> decltype(item.apply_loads(nodes, time)) {
+    return item.apply_loads(nodes, time);
+  }
+};
+struct Power {
+  struct Decoy {
+    int power;
+  };
+  template <class Item>
+  using Member = decltype(&Item::power);
+  static auto call(auto& item, const auto& nodes) -> decltype(double(item.power(nodes))) { return item.power(nodes); }
+};
+struct Constrain {
+  struct Decoy {
+    int constrain;
+  };
+  template <class Item>
+  using Member = decltype(&Item::constrain);
+  static auto call(auto& item, auto& nodes, const Step& step, Ledger& ledger)
+      -> decltype(item.constrain(nodes, step, ledger)) {
+    return item.constrain(nodes, step, ledger);
+  }
+};
+struct ResolveContact {
+  struct Decoy {
+    int resolve_contact;
+  };
+  template <class Item>
+  using Member = decltype(&Item::resolve_contact);
+  static auto call(auto& item, auto& nodes, const Step& step, Ledger& ledger)
+      -> decltype(item.resolve_contact(nodes, step, ledger)) {
+    return item.resolve_contact(nodes, step, ledger);
+  }
+};
+struct Remove {
+  struct Decoy {
+    int remove;
+  };
+  template <class Item>
+  using Member = decltype(&Item::remove);
+  static auto call(auto& item, std::size_t part, const std::vector<bool>& alive) -> decltype(item.remove(part, alive)) {
+    return item.remove(part, alive);
+  }
+};
+struct Warning {
+  struct Decoy {
+    int warning;
+  };
+  template <class Item>
+  using Member = decltype(&Item::warning);
+  static auto call(const auto& item) -> decltype(item.warning()) { return item.warning(); }
+};
+
+// Names that a function of an item is mistaken for.
+struct Push {
+  struct Decoy {
+    int push;
+  };
+  template <class Item>
+  using Member = decltype(&Item::push);
+};
+struct ApplyLoad {
+  struct Decoy {
+    int apply_load;
+  };
+  template <class Item>
+  using Member = decltype(&Item::apply_load);
+};
+struct Touch {
+  struct Decoy {
+    int touch;
+  };
+  template <class Item>
+  using Member = decltype(&Item::touch);
+};
+struct ResolveContacts {
+  struct Decoy {
+    int resolve_contacts;
+  };
+  template <class Item>
+  using Member = decltype(&Item::resolve_contacts);
+};
+struct Constrains {
+  struct Decoy {
+    int constrains;
+  };
+  template <class Item>
+  using Member = decltype(&Item::constrains);
+};
+
+template <class Function, class Item, class... Arguments>
+inline constexpr bool has = answers<Function, Item, Arguments...>;
+
+/// The first fault of an item in a run whose nodes are N, in the order of the requirements.
+enum class Fault {
+  none,
+  no_function,
+  begin,
+  stable_step,
+  apply_loads,
+  power,
+  power_missing,
+  constrain,
+  resolve_contact,
+  remove,
+  warning
+};
+
+template <class Item, class N>
+constexpr Fault fault() {
+  using Part = const std::size_t;
+  using Alive = const std::vector<bool>;
+  if constexpr (nearly<Begin, Item, N>) return Fault::begin;
+  if constexpr (nearly<StableStep, Item, double>) return Fault::stable_step;
+  if constexpr (nearly<ApplyLoads, Item, N, double> ||
+                (!has<ApplyLoads, Item, N, double> && (HasName<Push, Item> || HasName<ApplyLoad, Item>)))
+    return Fault::apply_loads;
+  if constexpr (nearly<Power, Item, const N>) return Fault::power;
+  if constexpr (has<ApplyLoads, Item, N, double> && !has<Power, Item, const N>) return Fault::power_missing;
+  if constexpr (nearly<Constrain, Item, N, const Step, Ledger> ||
+                (!has<Constrain, Item, N, const Step, Ledger> && HasName<Constrains, Item>))
+    return Fault::constrain;
+  if constexpr (nearly<ResolveContact, Item, N, const Step, Ledger> ||
+                (!has<ResolveContact, Item, N, const Step, Ledger> &&
+                 (HasName<Touch, Item> || HasName<ResolveContacts, Item>)))
+    return Fault::resolve_contact;
+  if constexpr (nearly<Remove, Item, Part, Alive>) return Fault::remove;
+  if constexpr (nearly<Warning, const Item>) return Fault::warning;
+  if constexpr (!(has<Begin, Item, N> || has<StableStep, Item, double> || has<ApplyLoads, Item, N, double> ||
+                  has<Constrain, Item, N, const Step, Ledger> || has<ResolveContact, Item, N, const Step, Ledger> ||
+                  has<Remove, Item, Part, Alive>))
+    return Fault::no_function;
+  return Fault::none;
+}
+
+}  // namespace detail::item
+
+namespace detail {
+/// Tells an archive what it remembers.
+template <class Item, class Archive>
+concept Serializable = requires(Item& item, Archive& archive) { item.serialize(archive); };
+}  // namespace detail
+
+}  // namespace strike

@@ -1,0 +1,122 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <strike/mesh/mesh.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/scalar/scalar.hpp>
+
+namespace strike::detail {
+
+/// The largest eigenvalue of the symmetric tridiagonal matrix of these diagonals, from above to rounding: no pivot of T
+/// - x I is positive for x above it (Sturm).
+inline double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
+  const std::size_t n = diagonal.size();
+  double lower = 0, upper = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double row = (i > 0 ? std::abs(beside[i - 1]) : 0) + (i + 1 < n ? std::abs(beside[i]) : 0);
+    lower = std::max(lower, diagonal[i]), upper = std::max(upper, diagonal[i] + row);
+  }
+  const auto is_above = [&](double x) {
+    double pivot = -1;
+    for (std::size_t i = 0; i < n && pivot < 0; ++i)
+      pivot = diagonal[i] - x - (i > 0 ? beside[i - 1] * beside[i - 1] / pivot : 0);
+    return pivot < 0;
+  };
+  while (upper - lower > 1e-12 * upper) {
+    const double middle = 0.5 * (lower + upper);
+    (is_above(middle) ? upper : lower) = middle;
+  }
+  return upper;
+}
+
+/// Number k of a sequence of independent numbers in (0, 1) (Steele, Lea and Flood 2014: splitmix64).
+inline double random_number(std::uint64_t k) {
+  std::uint64_t z = (k + 1) * 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return (static_cast<double>((z ^ (z >> 31)) >> 11) + 0.5) * 0x1p-53;
+}
+/// The same, normally distributed (Box and Muller 1958).
+inline double random_normal(std::uint64_t k) {
+  return std::sqrt(-2 * std::log(random_number(2 * k))) * std::cos(2 * std::numbers::pi * random_number(2 * k + 1));
+}
+
+/// Steps of Lanczos's iteration from a random direction of n components after which the largest eigenvalue of a
+/// positive matrix is underestimated by more than the share `deviation` with a probability of at most `failure`: this
+/// is 1.648 sqrt(n) exp(-sqrt(deviation) (2 k - 1)) (Kuczynski and Wozniakowski 1992).
+inline std::size_t lanczos_steps(std::size_t n, double deviation, double failure) {
+  const double twice = std::log(1.648 * std::sqrt(static_cast<double>(n)) / failure) / std::sqrt(deviation);
+  return std::min(n, static_cast<std::size_t>(std::ceil(0.5 * (twice + 1))));
+}
+
+/// Lanczos's iteration (1950) for the largest eigenvalue of A q = mu m q. `Vector` is a vector at a node, padded, of
+/// which three components count.
+template <class Vector>
+class Lanczos {
+  using Real = RealOf<Vector>;
+  using Field = std::vector<Vector>;
+
+ public:
+  /// The eigenvalue, from below, after so many steps from random direction number `seed`. `mass` and the fields have a
+  /// number for each of `places`, of which `active` take part; subtract_product(q, f) is f -= A q at these, where f is
+  /// zero before. With the vectors q over the masses:
+  ///   b q_next = A q/m - a q - b_before q_before,  a = q.A q,  |q| = 1.
+  template <class Execution, class Operator>
+  double largest_eigenvalue(std::size_t steps, std::uint64_t seed, std::size_t places, const std::vector<Index>& active,
+                            const std::vector<Real>& mass, const Execution& execution,
+                            const Operator& subtract_product) {
+    for (Field* field : {&q_, &q_before_, &product_}) field->assign(places, Vector(0));
+    for (const Index i : active)
+      for (std::size_t c = 0; c < 3; ++c)
+        q_[i].set(c, static_cast<Real>(random_normal((seed << 40) + 3 * std::uint64_t{i} + c) /
+                                       std::sqrt(static_cast<double>(mass[i]))));
+
+    std::vector<double> diagonal, beside;
+    double norm = std::sqrt(sum(execution, active, [&](Index i) { return mass[i] * dot(q_[i], q_[i]); }));
+    for (std::size_t k = 0; k < steps && norm > 0; ++k) {
+      if (k > 0) beside.push_back(norm);
+      const Vector b = k > 0 ? static_cast<Real>(norm) : 0, per_norm = static_cast<Real>(1 / norm);
+      sum(execution, active, [&](Index i) {
+        q_[i] *= per_norm;
+        product_[i] = 0;
+        return Real(0);
+      });
+      subtract_product(q_, product_);
+      diagonal.push_back(-sum(execution, active, [&](Index i) { return dot(q_[i], product_[i]); }));
+      const Vector a = static_cast<Real>(diagonal.back());
+      norm = std::sqrt(sum(execution, active, [&](Index i) {
+        q_before_[i] = -(a * q_[i] + b * q_before_[i] + Vector(1 / mass[i]) * product_[i]);
+        return mass[i] * dot(q_before_[i], q_before_[i]);
+      }));
+      std::swap(q_, q_before_);
+    }
+    return detail::largest_eigenvalue(diagonal, beside);
+  }
+
+ private:
+  static Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+  /// The sum of f(i) over the active places, in an order that does not depend on the threads.
+  template <class Execution, class F>
+  double sum(const Execution& execution, const std::vector<Index>& active, const F& f) {
+    sums_.resize(chunks(active.size()));
+    for_each_chunk(execution, active.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
+      double mine = 0;
+      for (std::size_t j = first; j < last; ++j) mine += static_cast<double>(f(active[j]));
+      sums_[k] = mine;
+    });
+    return std::accumulate(sums_.begin(), sums_.end(), 0.0);
+  }
+
+  Field q_, q_before_, product_;
+  std::vector<double> sums_;
+};
+
+}  // namespace strike::detail

@@ -1,0 +1,133 @@
+#pragma once
+#include <concepts>
+#include <type_traits>
+
+#include <strike/protocol.hpp>
+
+namespace strike {
+
+// An observer of a run: run.until(end, observer, ...).
+//
+// Requirements. An observer has function 1 and may have the others; all observers see one moment before any sees the
+// next, in the order in which they are given.
+//  1. f() or f(run)                     called before the first step and after each; returns nothing
+//  2. stops() -> bool                   asked after each step: true ends the run
+//  3. last(run)                         called when the run has to be given up, before the Error leaves
+//  4. save(run, observers)              called after a step that all observers have seen
+//  5. resume(run, observers) -> bool    called before the run begins: true if it has put the run and all observers
+//  where
+//                                       they once were, so that none is called before the first step
+//  6. serialize(archive)                its memory, for a Checkpoint; see strike/output/archive.hpp
+//
+// Laws. An observer changes nothing of the run; what it has written is whole when it returns.
+//
+// Models: Every, StopWhen (strike/dynamics/), Progress, Checkpoint (strike/output/); any lambda.
+
+namespace detail::observer {
+
+struct Stops {
+  struct Decoy {
+    int stops;
+  };
+  template <class Observer>
+  using Member = decltype(&Observer::stops);
+  static auto call(auto& observer) -> decltype(bool(observer.stops())) { return observer.stops(); }
+};
+struct Last {
+  struct Decoy {
+    int last;
+  };
+  template <class Observer>
+  using Member = decltype(&Observer::last);
+  static auto call(auto& observer, auto& run) -> decltype(observer.last(run)) { return observer.last(run); }
+};
+struct Save {
+  struct Decoy {
+    int save;
+  };
+  template <class Observer>
+  using Member = decltype(&Observer::save);
+  static auto call(auto& observer, auto& run, auto& all) -> decltype(observer.save(run, all)) {
+    return observer.save(run, all);
+  }
+};
+struct Resume {
+  struct Decoy {
+    int resume;
+  };
+  template <class Observer>
+  using Member = decltype(&Observer::resume);
+  static auto call(auto& observer, auto& run, auto& all) -> decltype(bool(observer.resume(run, all))) {
+    return observer.resume(run, all);
+  }
+};
+
+template <class Observer, class Run>
+concept CalledWithRun = requires(Observer& observer, Run& run) { observer(run); };
+template <class Observer>
+concept CalledAlone = requires(Observer& observer) { observer(); };
+
+/// The first fault of an observer, in the order of the requirements; `All` is the tuple of all observers.
+enum class Fault { none, not_callable, returns_bool, stops, last, save, resume };
+
+template <class Observer, class Run, class All>
+constexpr Fault fault() {
+  if constexpr (CalledWithRun<Observer, Run>) {
+    if constexpr (std::same_as<std::remove_cvref_t<std::invoke_result_t<Observer&, Run&>>, bool>)
+      return Fault::returns_bool;
+  } else if constexpr (CalledAlone<Observer>) {
+    if constexpr (std::same_as<std::remove_cvref_t<std::invoke_result_t<Observer&>>, bool>) return Fault::returns_bool;
+  } else {
+    return Fault::not_callable;
+  }
+  if constexpr (nearly<Stops, Observer>) return Fault::stops;
+  if constexpr (nearly<Last, Observer, Run>) return Fault::last;
+  if constexpr (nearly<Save, Observer, Run, const All>) return Fault::save;
+  if constexpr (nearly<Resume, Observer, Run, const All>) return Fault::resume;
+  return Fault::none;
+}
+
+/// Reports the first fault in one sentence; true if there is none.
+template <class Observer, class Run, class All>
+constexpr bool check() {
+  constexpr Fault found = fault<Observer, Run, All>();
+  static_assert(found != Fault::not_callable,
+                "strike: an observer of a run is called as f() or f(run), such as [&] { film.write(run); } or "
+                "Every{1e-3, [&] { ... }}.");
+  static_assert(found != Fault::returns_bool,
+                "strike: an observer returns a bool, which a run does not read: end a run by StopWhen{condition}, or "
+                "return nothing.");
+  static_assert(found != Fault::stops, "strike: stops of an observer is called as stops() and returns a bool.");
+  static_assert(found != Fault::last, "strike: last of an observer is called as last(run).");
+  static_assert(found != Fault::save, "strike: save of an observer is called as save(run, observers).");
+  static_assert(found != Fault::resume,
+                "strike: resume of an observer is called as resume(run, observers) and returns a bool.");
+  return found == Fault::none;
+}
+
+/// Calls f(run), or else f().
+template <class Observer, class Run>
+void observe(Observer& observer, Run& run) {
+  if constexpr (CalledWithRun<Observer, Run>)
+    observer(run);
+  else
+    observer();
+}
+template <class Observer>
+bool stops(const Observer& observer) {
+  if constexpr (answers<Stops, const Observer>)
+    return observer.stops();
+  else
+    return false;
+}
+template <class Observer, class Run, class All>
+bool resumes(Observer& observer, Run& run, const All& all) {
+  if constexpr (answers<Resume, Observer, Run, const All>)
+    return observer.resume(run, all);
+  else
+    return false;
+}
+
+}  // namespace detail::observer
+
+}  // namespace strike

@@ -1,0 +1,113 @@
+#pragma once
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <strike/dynamics/item.hpp>
+#include <strike/dynamics/running_part.hpp>
+#include <strike/dynamics/scene.hpp>
+
+namespace strike::detail {
+
+/// An item of a scene at work: a part takes its lanes and what the bound of the step needs, the rest stays as it is.
+template <class Item, class Method, class Nodes>
+struct RunningItem {
+  using type = Item;
+  static Item start(Item item, Nodes&, std::vector<std::vector<Index>>&, std::size_t&) { return item; }
+};
+template <class E, class M, std::size_t n, class R, class Method, class Nodes>
+struct RunningItem<Part<E, M, n, R>, Method, Nodes> {
+  using Element = typename Method::Bound::template Element<E>;
+  using Material = typename Method::Bound::template Material<M>;
+  using type = RunningPart<Element, Material, typename Method::Numbers::Number, Nodes, R>;
+  static type start(Part<E, M, n, R> part, Nodes& nodes, std::vector<std::vector<Index>>& orders, std::size_t& number) {
+    const std::size_t mine = number++;
+    return type(
+        {Element{std::move(part.element)}, Material{std::move(part.material)}, std::move(part.cells), part.removal},
+        nodes, mine, std::move(orders[mine]));
+  }
+};
+
+template <class Item>
+inline constexpr bool is_running_part = false;
+template <class E, class M, class T, class N, class R>
+inline constexpr bool is_running_part<RunningPart<E, M, T, N, R>> = true;
+
+/// The item resolves contact, and is no part.
+template <class Item, class Nodes>
+inline constexpr bool is_contact = item::has<item::ResolveContact, Item, Nodes, const Step, Ledger>;
+
+/// The places of the items that satisfy a condition.
+template <class... Is>
+constexpr std::size_t place_of(std::size_t number, Is... is) {
+  std::size_t place = 0;
+  for (const bool one : {is...}) {
+    if (one && number-- == 0) return place;
+    ++place;
+  }
+  return place;
+}
+
+/// The bound of the step finds in a part what it needs.
+template <class Bound, class Item>
+inline constexpr bool suits = true;
+template <class Bound, class E, class M, std::size_t n, class R>
+  requires(Part<E, M, n, R>::flaw == Flaw::none)
+inline constexpr bool suits<Bound, Part<E, M, n, R>> = Bound::template suits<E, M>;
+
+/// Reports the first fault of an item, for which it stands in the compiler's message.
+template <class Item, class N>
+struct CheckItem {
+  static constexpr item::Fault fault = item::fault<Item, N>();
+  static constexpr bool sound = fault == item::Fault::none;
+  static_assert(
+      fault != item::Fault::no_function,
+      "strike: an item of this Scene is neither a Part nor has one of the functions begin(nodes), "
+      "stable_step(dt), apply_loads(nodes, time), constrain(nodes, step, ledger), resolve_contact(nodes, step, "
+      "ledger) and remove(part, alive); see strike/dynamics/item.hpp.");
+  static_assert(fault != item::Fault::begin,
+                "strike: begin of an item is called as begin(nodes), with the nodes of the run: take their type as a "
+                "template parameter.");
+  static_assert(fault != item::Fault::stable_step,
+                "strike: stable_step of an item is called as stable_step(dt) and returns a step.");
+  static_assert(
+      fault != item::Fault::apply_loads,
+      "strike: an item adds forces in apply_loads(nodes, time), with the nodes of the run: take their type as "
+      "a template parameter, and the time as a double.");
+  static_assert(fault != item::Fault::power,
+                "strike: power of an item is called as power(nodes), with constant nodes, and returns a double.");
+  static_assert(
+      fault != item::Fault::power_missing,
+      "strike: an item with apply_loads needs power(nodes), the power of its forces at the present velocities: "
+      "without it the balance of energies would blame the mesh.");
+  static_assert(fault != item::Fault::constrain,
+                "strike: an item sets velocities in constrain(nodes, step, ledger), with the nodes of the run: take "
+                "their type as a template parameter.");
+  static_assert(fault != item::Fault::resolve_contact,
+                "strike: a contact corrects velocities in resolve_contact(nodes, step, ledger), with the nodes of the "
+                "run: take their type as a template parameter.");
+  static_assert(fault != item::Fault::remove,
+                "strike: remove of an item is called as remove(part, alive), with the number of a part and a "
+                "std::vector<bool> by its elements.");
+  static_assert(fault != item::Fault::warning,
+                "strike: warning of an item is a constant function, called as warning(), that returns a sentence.");
+};
+template <class E, class M, std::size_t n, class R, class N>
+struct CheckItem<Part<E, M, n, R>, N> {
+  static constexpr bool sound = true;
+};
+
+/// The scene can run with the method; what cannot is reported on the way, in one sentence.
+template <class Method, class... Items>
+constexpr bool can_run() {
+  if constexpr (!Method::sound || !Scene<Items...>::sound)
+    return false;
+  else if constexpr (!(suits<typename Method::Bound, Items> && ...))
+    return false;
+  else
+    return (CheckItem<Items, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>::sound && ...);
+}
+
+}  // namespace strike::detail

@@ -1,0 +1,284 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <strike/dynamics/advance.hpp>
+#include <strike/dynamics/elements.hpp>
+#include <strike/dynamics/mass_scaling.hpp>
+#include <strike/dynamics/nodal_volume.hpp>
+#include <strike/dynamics/part.hpp>
+#include <strike/dynamics/part_checks.hpp>
+#include <strike/dynamics/patches.hpp>
+#include <strike/motion/gather.hpp>
+#include <strike/motion/ledger.hpp>
+#include <strike/motion/nodes.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// A part at work: its elements in blocks of lanes. T is the number in the formulas, `double` or a `Pack`.
+template <class E, class M, class T, class Nodes = strike::Nodes<LaneOf<T>, LaneOf<T>, turns_nodes<E>()>,
+          class Removal = NoErosion>
+class RunningPart {
+  using Elements = detail::Elements<E, M, T, Removal>;
+
+ public:
+  static constexpr std::size_t n = Elements::n, width = Elements::width;
+  static constexpr bool erodes = Elements::erodes, averages_volume = Elements::averages_volume;
+  using State = typename Elements::State;
+  using Block = typename Elements::Block;
+  static constexpr bool scales_mass = requires(State state) { state.mass_factor; };
+
+  /// `order` names every element once, in the order in which they are to lie in memory.
+  RunningPart(Part<E, M, n, Removal> part, Nodes& nodes, std::size_t number, std::vector<Index> order)
+      : elements_{std::move(part.element), std::move(part.material), part.removal, part.cells.size(), number,
+                  std::move(order)} {
+    detail::check_material(elements_.material, number);
+    lay_out(part.cells, nodes);
+    outcomes_.resize(patches_.size());
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      patches_.load(patches_[p], nodes);
+      for (std::size_t b = patches_[p].first_block; b < patches_[p].last_block; ++b) begin(b, nodes);
+    }
+    if constexpr (averages_volume) {
+      volume_ = Volume(nodes.places());
+      sum_volumes(nodes, [](std::size_t patches, const auto& f) {
+        for (std::size_t p = 0; p < patches; ++p) f(p);
+      });
+      volume_.begin(patches_);
+    }
+  }
+
+  /// Advances the elements that are due by the schedule, in a run without subcycling all over the step dt that led to
+  /// the present positions, adds their forces to the nodes and their work to the ledger, and returns the least stable
+  /// step. Error: an element is inverted; no node has moved by then.
+  template <class Execution>
+  StableStep compute_forces(Nodes& nodes, double dt, Ledger& ledger, const Execution& execution) {
+    return compute_forces(nodes, ledger, execution, detail::EveryStep{dt});
+  }
+  template <class Execution, class Schedule>
+  StableStep compute_forces(Nodes& nodes, Ledger& ledger, const Execution& execution, const Schedule& schedule) {
+    if constexpr (averages_volume) {
+      volume_.clear();
+      sum_volumes(nodes, [&](std::size_t patches, const auto& f) { execution.for_each(patches, f); });
+      volume_.update(patches_);
+    }
+    execution.for_each(patches_.size(), [&](std::size_t p) {
+      if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
+      schedule.load(patches_, patches_[p]);
+      outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
+      patches_.store(patches_[p], nodes);
+    });
+    patches_.store_ghosts(nodes, execution);
+    return book(nodes, ledger);
+  }
+
+  /// Sentences about the material, scaled mass and deleted elements, one after the other; empty: none.
+  std::string warning() const {
+    std::string text = material_warning();
+    const auto add = [&](const std::string& sentence) {
+      if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
+    };
+    if constexpr (scales_mass) add(scaled_.warning(number(), mass_));
+    if (deletions_.count > 0)
+      add(detail::joined({std::to_string(deletions_.count), " of ", std::to_string(size()), " elements of part ",
+                          std::to_string(number()), " have been deleted."}));
+    return text;
+  }
+  /// Mass that MassScaled has added to its elements [mass].
+  double added_mass() const
+    requires scales_mass
+  {
+    return scaled_.added();
+  }
+  /// Number of deleted elements.
+  std::size_t deleted() const {
+    static_assert(
+        erodes,
+        "strike: elements of this Part are never deleted: give it Erosion{...} after its cells, or do not ask "
+        "for deleted().");
+    return deletions_.count;
+  }
+  /// Number of elements that the last step has deleted; 0 of a part without a removal law.
+  std::size_t newly_deleted() const { return newly_deleted_.count; }
+  /// By the numbers of the elements, false if deleted.
+  std::vector<bool> alive() const {
+    std::vector<bool> alive(size(), true);
+    if constexpr (erodes)
+      for (std::size_t b = 0; b < blocks().size(); ++b)
+        for (std::size_t l = 0; l < count(b); ++l)
+          alive[elements_.order[b * width + l]] = lane(blocks()[b].removal.alive, l) > 0;
+    return alive;
+  }
+  /// The internal energy of the material at rest, such as that of a gas under pressure.
+  double stored_energy() const { return stored_energy(mass_); }
+  /// The place of the part among those of the scene, from 0.
+  std::size_t number() const { return elements_.number; }
+  /// Number of elements.
+  std::size_t size() const { return elements_.size; }
+  const E& element() const { return elements_.element; }
+  const M& material() const { return elements_.material; }
+
+  /// The blocks of elements in memory, the patches that they form, and the lanes of a block that hold elements.
+  const std::vector<Block>& blocks() const { return elements_.blocks; }
+  const detail::Patches& patches() const { return patches_; }
+  std::size_t count(std::size_t b) const { return elements_.count(b); }
+  /// The cells by the numbers of elements and nodes as given.
+  Cells<n> cells(const Nodes& nodes) const {
+    Cells<n> cells(size());
+    for (std::size_t p = 0; p < size(); ++p) cells[elements_.order[p]] = elements_.cell(nodes, p);
+    return cells;
+  }
+
+  /// A value per element, the mean over its points of f(state of a point), a number or a tensor:
+  ///   part.field([](const auto& s) { return s.stress.zz; })      part.field([](const auto& s) { return s.stress; })
+  template <class F>
+  auto field(F f) const {
+    return elements_.mean_over_points(
+        f, [&](const State& state, const auto& add) { state.each_point([&](const auto& point) { add(point); }); });
+  }
+  /// The same for layer k of a plate, from 0 at its bottom.
+  template <class F>
+  auto field(std::size_t k, F f) const {
+    return elements_.mean_over_points(
+        f, [&](const State& state, const auto& add) { state.each_point(k, [&](const auto& point) { add(point); }); });
+  }
+
+  /// "element 7 of part 0 at (x, y, z)", by its number as given.
+  std::string describe(const Nodes& nodes, std::size_t e) const {
+    return elements_.describe(nodes, elements_.place_of(e));
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.same(detail::name_of<RunningPart>(), elements_.size, elements_.order);
+    for (Block& block : elements_.blocks) {
+      archive.same(block.nodes);
+      archive(numbers_of<T>(block.state));
+      if constexpr (erodes) archive(numbers_of<T>(block.removal));
+    }
+    if constexpr (averages_volume) archive(volume_);
+    if constexpr (erodes) archive(newly_deleted_, deletions_);
+  }
+
+ private:
+  /// Fills the blocks with the places of their nodes and cuts them into patches.
+  void lay_out(const Cells<n>& cells, Nodes& nodes) {
+    auto& blocks = elements_.blocks;
+    blocks.resize((size() + width - 1) / width);
+    std::vector<Index> corners;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t l = 0; l < width; ++l)  // idle lanes repeat the last element
+          corners.push_back(nodes.place(cells[elements_.order[std::min(b * width + l, size() - 1)]][i]));
+    const auto unnamed = std::find(nodes.mass().begin(), nodes.mass().end(), 0) - nodes.mass().begin();
+    patches_ = detail::Patches(corners, blocks.size(), width, static_cast<Index>(unnamed), nodes.places());
+    nodes.add_ghosts(patches_.sources());
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      for (std::size_t i = 0; i < n; ++i) std::copy_n(&corners[(b * n + i) * width], width, blocks[b].nodes[i].data());
+  }
+
+  /// Sets the elements of a block at rest and gives their masses to the nodes.
+  void begin(std::size_t b, Nodes& nodes) {
+    Block& block = elements_.blocks[b];
+    const Nodal<T, E::nodes> x = gather<T, n>(nodes.motion().position, block.nodes);
+    const auto given = element().begin(block.state, material(), x);
+    const T mass = mass_of(given);
+    T own = mass;
+    if constexpr (scales_mass) own = mass / block.state.mass_factor;
+    if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * own);
+    if constexpr (Elements::has_geometry)
+      block.removal.reference.inverse = detail::inverse_of_columns(detail::element_axes<E, T>(x));
+    for (std::size_t l = 0; l < count(b); ++l) {
+      const std::size_t place = b * width + l;
+      detail::check_resolution(elements_, nodes, place);
+      detail::check_mass(elements_, nodes, place, static_cast<double>(lane(mass, l)));
+      for (const Index i : elements_.cell(nodes, place)) {
+        nodes.add_mass(i, static_cast<double>(lane(mass, l)));
+        if constexpr (turns_nodes<E>()) nodes.add_inertia(i, static_cast<double>(lane(given.inertia, l)));
+      }
+      const auto corners = static_cast<double>(n);
+      mass_ += corners * static_cast<double>(lane(own, l));
+      if constexpr (scales_mass)
+        scaled_.add(elements_.order[place], corners * static_cast<double>(lane(mass, l)),
+                    corners * static_cast<double>(lane(own, l)), static_cast<double>(lane(block.state.mass_factor, l)));
+    }
+  }
+  static T mass_of(const T& mass) { return mass; }
+  static T mass_of(const NodalInertia<T>& given) { return given.mass; }
+
+  /// Adds the volumes of the elements at their nodes, patch by patch.
+  template <class ForEach>
+  void sum_volumes(Nodes& nodes, const ForEach& for_each) {
+    for_each(patches_.size(), [&](std::size_t p) {
+      patches_.load(patches_[p], nodes);
+      detail::add_volumes(elements_, patches_[p], nodes.motion(), volume_);
+    });
+  }
+
+  /// Books the work of the patches in their order and returns the least stable step.
+  StableStep book(const Nodes& nodes, Ledger& ledger) {
+    StableStep stable{.part = number()};
+    detail::Deletions deletions;
+    double internal = 0, hourglass = 0, bulk_viscosity = 0;
+    for (const detail::Outcome& outcome : outcomes_) {
+      if (!(outcome.inverted_volume > 0))
+        detail::explain_inversion(elements_.describe(nodes, outcome.inverted), outcome.inverted_volume);
+      if (const double dt = 1 / outcome.critical_rate; dt < stable.dt)
+        stable.dt = dt, stable.element = elements_.order[outcome.slowest];
+      internal += outcome.internal_work;
+      hourglass += outcome.hourglass_work;
+      bulk_viscosity += outcome.bulk_viscosity_work;
+      deletions.add(outcome.deletions);
+    }
+    newly_deleted_ = deletions;
+    deletions_.add(deletions);
+    if (deletions.count > 0) {
+      ledger.internal.book(-deletions.energy);
+      ledger.eroded.book(deletions.energy);
+    }
+    ledger.internal.book(internal);
+    ledger.hourglass.book(hourglass);
+    ledger.bulk_viscosity.book(bulk_viscosity);
+    return stable;
+  }
+
+  /// The stored energy of the material of a mass.
+  template <class Number>
+  Number stored_energy(const Number& mass) const {
+    typename M::template State<double> state{};
+    if constexpr (requires { state.internal_energy; }) {
+      if constexpr (requires { material().begin(state); }) material().begin(state);
+      return mass * (state.internal_energy / density_of(material()));
+    } else {
+      return (void)mass, Number(0.0);
+    }
+  }
+  std::string material_warning() const {
+    if constexpr (requires { material().warning(0.0); })  // of a section: over half waves of four elements
+      return material().warning(4 * std::sqrt(mass_ / density_of(material()) / static_cast<double>(size())));
+    else if constexpr (requires { material().warning(); })
+      return material().warning();
+    else
+      return {};
+  }
+
+  struct Nothing {};
+  using Volume = std::conditional_t<averages_volume, detail::NodalVolume<LaneOf<T>, Elements::loses_elements>, Nothing>;
+  struct NothingScaled {};
+
+  Elements elements_;
+  double mass_ = 0;
+  detail::Patches patches_;
+  std::vector<detail::Outcome> outcomes_;
+  [[no_unique_address]] std::conditional_t<scales_mass, detail::ScaledMass, NothingScaled> scaled_;
+  [[no_unique_address]] Volume volume_;
+  detail::Deletions newly_deleted_{}, deletions_{};
+};
+
+}  // namespace strike

@@ -1,0 +1,163 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/dynamics/arrangement.hpp>
+#include <strike/dynamics/ill_formed_run.hpp>
+#include <strike/dynamics/running_item.hpp>
+#include <strike/dynamics/scene.hpp>
+#include <strike/error.hpp>
+#include <strike/mesh/describe.hpp>
+#include <strike/motion/central_differences.hpp>
+#include <strike/text.hpp>
+
+namespace strike::detail {
+
+/// A scene at work: its nodes in the numbers of a run and its items, and the ways to reach them.
+template <class Method, class... Items>
+class RunningScene {
+ public:
+  using Numbers = typename Method::Numbers;
+  using Nodes = typename Numbers::template Nodes<Scene<Items...>::nodes_turn>;
+
+  Eigen::Vector3d momentum() const { return detail::momentum(nodes_); }
+
+  const Nodes& nodes() const { return nodes_; }
+  Nodes& nodes() { return nodes_; }
+  /// By the numbers of the nodes as given.
+  std::vector<Eigen::Vector3d> positions() const {
+    return of_nodes([&](std::size_t i) { return nodes_.x(i); });
+  }
+  std::vector<Eigen::Vector3d> velocities() const {
+    return of_nodes([&](std::size_t i) { return nodes_.v(i); });
+  }
+
+  /// The items at work, in the order of the scene: `auto& [bar, wall] = run.items()`.
+  auto& items() { return items_; }
+  const auto& items() const { return items_; }
+  /// Item i of the scene at work: a RunningPart, a load, a contact.
+  template <std::size_t i>
+  auto& item() {
+    return chosen<i, sizeof...(Items)>(*this);
+  }
+  template <std::size_t i>
+  const auto& item() const {
+    return chosen<i, sizeof...(Items)>(*this);
+  }
+  /// Part i of the scene, counted among the parts from 0.
+  template <std::size_t i>
+  auto& part() {
+    return chosen<place_of(i, is_part<Items>...), sizeof...(Items)>(*this);
+  }
+  template <std::size_t i>
+  const auto& part() const {
+    return chosen<place_of(i, is_part<Items>...), sizeof...(Items)>(*this);
+  }
+  /// Contact i of the scene, counted among the items that resolve contact from 0, walls and ties among them.
+  template <std::size_t i>
+  auto& contact() {
+    return chosen<place_of(i, is_contact<Items, Nodes>...), sizeof...(Items)>(*this);
+  }
+  template <std::size_t i>
+  const auto& contact() const {
+    return chosen<place_of(i, is_contact<Items, Nodes>...), sizeof...(Items)>(*this);
+  }
+
+  /// Sentences that the user should read before the results.
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> all;
+    each([&](const auto& item) {
+      if constexpr (requires { item.warning(); })
+        if (std::string warning = item.warning(); !warning.empty()) all.push_back(std::move(warning));
+    });
+    return all;
+  }
+
+ protected:
+  using RunningItems = std::tuple<typename RunningItem<Items, Method, Nodes>::type...>;
+
+  RunningScene(Scene<Items...>& scene, Arrangement arrangement)
+      : nodes_(scene.nodes, std::move(arrangement.nodes)),
+        items_(start(std::move(scene.items), nodes_, std::move(arrangement.cells))) {}
+
+  template <class F>
+  void each(const F& f) {
+    std::apply([&](auto&... item) { (f(item), ...); }, items_);
+  }
+  template <class F>
+  void each(const F& f) const {
+    std::apply([&](const auto&... item) { (f(item), ...); }, items_);
+  }
+  template <class F>
+  std::vector<Eigen::Vector3d> of_nodes(const F& f) const {
+    std::vector<Eigen::Vector3d> values(nodes_.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(i).template cast<double>();
+    return values;
+  }
+
+  /// Error: a node without mass.
+  void check_masses() const {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (!(nodes_.mass(i) > 0))
+        throw Error(joined({"strike: node ", std::to_string(i), " at ", text(nodes_.x(i).template cast<double>()),
+                            " has no mass, for it belongs to no element; remove it."}));
+  }
+  /// Gives nodes that no element turns a moment of inertia.
+  void complete_inertia() {
+    if constexpr (Nodes::nodes_turn)
+      for (std::size_t i = 0; i < nodes_.size(); ++i)
+        if (!(nodes_.inertia(i) > 0)) nodes_.add_inertia(i, nodes_.mass(i));
+  }
+  /// sum of m spacing^2/2, of nodes that move by the largest spacing of the numbers [energy time^2].
+  double moved_by_rounding() const {
+    double mass = 0, spacing = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      mass += nodes_.mass(i);
+      spacing = std::max(spacing, nodes_.resolution(i));
+    }
+    return 0.5 * mass * spacing * spacing;
+  }
+  /// An element of a part with its place, for a message.
+  [[gnu::cold]] std::string describe(const StableStep& stable) const {
+    std::string text;
+    each([&](const auto& part) {
+      if constexpr (is_running_part<std::remove_cvref_t<decltype(part)>>)
+        if (part.number() == stable.part) text = part.describe(nodes_, stable.element);
+    });
+    return text;
+  }
+
+  Nodes nodes_;
+  RunningItems items_;
+
+ private:
+  static RunningItems start(std::tuple<Items...> items, Nodes& nodes, std::vector<std::vector<Index>> orders) {
+    std::size_t part = 0;
+    return std::apply(
+        [&](auto&... item) {
+          return RunningItems{RunningItem<Items, Method, Nodes>::start(std::move(item), nodes, orders, part)...};
+        },
+        items);
+  }
+
+  template <std::size_t place, std::size_t count, class Run>
+  static auto& chosen(Run& run) {
+    static_assert(place < count,
+                  "strike: the scene of this run has no such item: item<i>() counts all items from 0, part<i>() the "
+                  "parts, contact<i>() the contacts.");
+    if constexpr (place < count)
+      return std::get<place>(run.items_);
+    else
+      return ill_formed_item;
+  }
+};
+
+}  // namespace strike::detail

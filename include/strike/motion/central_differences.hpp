@@ -1,0 +1,89 @@
+#pragma once
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/motion/execution.hpp>
+#include <strike/motion/motion.hpp>
+#include <strike/scalar/scalar.hpp>
+
+namespace strike::detail {
+
+/// v += kick f/m, and of nodes that turn w += kick moment/inertia. Returns the kinetic energy sum of m v-.v+/2, without
+/// the impulses of constraints that follow. `sums` has a number for each chunk of nodes.
+template <class N, class Execution>
+double kick(N& nodes, double duration, const Execution& execution, std::vector<double>& sums) {
+  using Real = std::decay_t<decltype(nodes.position()[0])>;
+  const auto kick = static_cast<RealOf<Real>>(duration);
+  using Sum = Padded<double>;
+  for_each_chunk(execution, nodes.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
+    Sum kinetic = 0;
+    const auto kicked = [&](auto m, const Real& v, const Real& f) {
+      const Real after = v + Real(kick / m) * f;
+      kinetic += Sum(Real(m) * v * after);
+      return after;
+    };
+    for (std::size_t i = first; i < last; ++i) {
+      auto& v = nodes.velocity()[i];
+      v = kicked(nodes.mass()[i], v, nodes.force()[i]);
+      if constexpr (N::nodes_turn) {
+        auto& w = nodes.angular_velocity()[i];
+        w = kicked(nodes.inertia()[i], w, nodes.moment()[i]);
+      }
+    }
+    sums[k] = kinetic[0] + kinetic[1] + kinetic[2];
+  });
+  return 0.5 * std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+/// x += dt v.
+template <class N, class Execution>
+void drift(N& nodes, double step, const Execution& execution) {
+  using Real = std::decay_t<decltype(nodes.position()[0])>;
+  const auto dt = static_cast<RealOf<Real>>(step);
+  for_each_chunk(execution, nodes.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) nodes.position()[i] += Real(dt) * nodes.velocity()[i];
+  });
+}
+
+/// The kinetic energy of the velocities between two times, sum of m v.v/2.
+template <class N>
+double kinetic_energy(const N& nodes) {
+  double energy = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    energy += 0.5 * nodes.mass(i) * nodes.v(i).template cast<double>().squaredNorm();
+    if constexpr (N::nodes_turn) energy += 0.5 * nodes.inertia(i) * nodes.w(i).template cast<double>().squaredNorm();
+  }
+  return energy;
+}
+
+/// The power of the forces and moments at the present velocities.
+template <class N>
+double force_power(const N& nodes) {
+  double power = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    power += static_cast<double>(nodes.f(i).dot(nodes.v(i)));
+    if constexpr (N::nodes_turn) power += static_cast<double>(nodes.moment(i).dot(nodes.w(i)));
+  }
+  return power;
+}
+
+template <class N>
+Eigen::Vector3d momentum(const N& nodes) {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < nodes.size(); ++i) p += nodes.mass(i) * nodes.v(i).template cast<double>();
+  return p;
+}
+
+/// Stops all nodes.
+template <class N>
+void stop(N& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes.velocity()[i] = 0;
+    if constexpr (N::nodes_turn) nodes.angular_velocity()[i] = 0;
+  }
+}
+
+}  // namespace strike::detail
