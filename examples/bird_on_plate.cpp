@@ -79,7 +79,7 @@ struct Record {
       steady += run.dt() * gauge.pressure(run);
       steady_time += run.dt();
     }
-    progress(run.time(), run.steps(), run.energy().error());
+    progress(run);
   }
   template <class Run>
   void sample(const Run& run) {

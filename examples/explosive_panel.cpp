@@ -80,7 +80,7 @@ struct Record {
       if (const double u = radius - run.nodes().x(point.node).z(); u > point.peak)
         point.peak = u, point.peak_time = run.time();
     drift = std::max(drift, std::abs(run.energy().error()));
-    progress(run.time(), run.steps(), run.energy().error());
+    progress(run);
   }
   template <class Run>
   void sample(const Run& run) {

@@ -14,11 +14,10 @@ int main() {  // millimetres, milliseconds, kilograms; so kN, GPa and J
                      Symmetry{Axis::y, nodes_where(bar.nodes, on_plane(Axis::y, 0))}, RigidWall{{0, 0, 0}, {0, 0, 1}}}};
 
   VtuSeries film{"bar"};
-  const auto strain = [&] { return run.part<0>().field([](const auto& s) { return s.equivalent_plastic_strain; }); };
-  run.until(0.08, Every{0.005, [&] { film.write(run.time(), bar, run.positions(), {}, {{"strain", strain()}}); }});
+  run.until(0.08, Every{0.005, [&] { film.write(run); }}, Progress{{.unit = "ms"}});
 
   Picture picture{{.title = "Taylor bar at 80 us", .quantity = "plastic strain", .mirror = {Axis::x, Axis::y}}};
-  picture.add(surface(bar), run.positions(), strain());
+  picture.add(surface(bar), run.positions(), run.part<0>().field(PlasticStrain{}));
   picture.write("bar.svg");
 
   Results results;

@@ -82,9 +82,9 @@ struct Record {
   void serialize(Archive& archive) {
     archive(history, film, times, lengths, drift);
   }
-  void watch(double time, std::size_t step, double error) {
+  void watch(double time, std::size_t step, double dt, double error) {
     drift = std::max(drift, std::abs(error));
-    progress(time, step, error);
+    progress.update(time, step, dt, error);
   }
 };
 
@@ -110,7 +110,7 @@ void strike_wall(const Element& element, In<T> number, const Study& study, Recor
       end,  //
       Every{end / 160, [&] { record.sample(run.time(), run.positions(), run.energy()); }},
       Every{end / 16, [&] { record.frame(run.time(), run.positions(), plastic_strain()); }},
-      [&] { record.watch(run.time(), run.steps(), run.energy().error()); },
+      [&] { record.watch(run.time(), run.steps(), run.dt(), run.energy().error()); },
       Checkpoint{"bar.checkpoint", study.checkpoint, record});
   record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   record.positions = run.positions(), record.plastic_strain = plastic_strain(), record.energy = run.energy(),

@@ -198,7 +198,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
           flight.peaks[k] = std::max(flight.peaks[k], moved(target.watched[k].second));
         flight.energy_error = std::max(flight.energy_error, std::abs(run.energy().error()));
         flight.deepest = std::max(flight.deepest, contact.penetration());
-        progress(run.time(), run.steps(), run.energy().error());
+        progress(run);
         if (drawn < seen.size() && 1e3 * run.time() >= seen[drawn]) draw(seen[drawn++]);
       },
       Every{end / 400, sample},

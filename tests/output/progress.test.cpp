@@ -28,12 +28,12 @@ TEST_CASE("progress: percent, time, step, error, and the last line at the end, a
   const TemporaryFile file(std::tmpfile());
   {
     Progress progress{{.end = 80, .unit = "us", .show = Show::always, .stream = file.get()}};
-    progress(20, 1000, 5e-4);
-    progress(80, 4000, 7e-4);
+    progress.update(20, 1000, 0.02, 5e-4);
+    progress.update(80, 4000, 0.02, 7e-4);
   }
   const std::string text = content_of(file.get());
-  CHECK(text.find("\r\033[K 25 %  t = 20 of 80 us  step 1000  energy error 0.05 %") == 0);
-  CHECK(text.find("100 %  t = 80 of 80 us  step 4000  energy error 0.07 %  0 s in all\n") != std::string::npos);
+  CHECK(text.find("\r\033[K 25 %  t = 20 of 80 us  step 1000  dt = 0.02  energy error 0.05 %") == 0);
+  CHECK(text.find("100 %  t = 80 of 80 us  step 4000  dt = 0.02  energy error 0.07 %  0 s in all\n") != std::string::npos);
 }
 
 TEST_CASE("progress: nothing at all where no person looks") {
@@ -42,7 +42,7 @@ TEST_CASE("progress: nothing at all where no person looks") {
   {
     Progress progress{{.end = 1, .stream = file.get()}};
     for (std::uint64_t step = 0; step <= 1000; ++step)
-      progress(double(step) / 1000, step, [&] {
+      progress.update(double(step) / 1000, step, 1e-3, [&] {
         ++asked;
         return 0.0;
       });

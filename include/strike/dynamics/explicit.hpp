@@ -95,6 +95,8 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
 
   double time() const { return clock_.time(); }
+  /// The time until which the run goes, as `until` has been told last.
+  double end() const { return end_; }
   /// Number of steps so far.
   std::size_t steps() const { return step_.number; }
   double dt() const { return step_.dt; }

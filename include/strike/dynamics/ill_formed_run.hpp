@@ -61,6 +61,7 @@ class IllFormedRun {
   void step() {}
   void until(auto&&...) {}
   double time() const { return 0; }
+  double end() const { return 0; }
   std::size_t steps() const { return 0; }
   double dt() const { return 0; }
   StableStep stable_step() const { return {}; }
@@ -74,6 +75,7 @@ class IllFormedRun {
   const IllFormedNodes& nodes() const { return nodes_; }
   std::vector<Eigen::Vector3d> positions() const { return {}; }
   std::vector<Eigen::Vector3d> velocities() const { return {}; }
+  void each_part(const auto&) const {}
   template <std::size_t>
   IllFormedItem& item() {
     return items_[0];

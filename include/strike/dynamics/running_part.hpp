@@ -30,6 +30,8 @@ class RunningPart {
  public:
   static constexpr std::size_t n = Elements::n, width = Elements::width;
   static constexpr bool erodes = Elements::erodes, averages_volume = Elements::averages_volume;
+  using Element = E;
+  using Number = T;
   using State = typename Elements::State;
   using Block = typename Elements::Block;
   static constexpr bool scales_mass = requires(State state) { state.mass_factor; };

@@ -61,6 +61,13 @@ class RunningScene {
   const auto& part() const {
     return chosen<place_of(i, is_part<Items>...), sizeof...(Items)>(*this);
   }
+  /// f(part) for each RunningPart.
+  template <class F>
+  void each_part(const F& f) const {
+    each([&](const auto& item) {
+      if constexpr (is_running_part<std::remove_cvref_t<decltype(item)>>) f(item);
+    });
+  }
   /// Contact i of the scene, counted among the items that resolve contact from 0, walls and ties among them.
   template <std::size_t i>
   auto& contact() {
@@ -128,9 +135,8 @@ class RunningScene {
   /// An element of a part with its place, for a message.
   [[gnu::cold]] std::string describe(const StableStep& stable) const {
     std::string text;
-    each([&](const auto& part) {
-      if constexpr (is_running_part<std::remove_cvref_t<decltype(part)>>)
-        if (part.number() == stable.part) text = part.describe(nodes_, stable.element);
+    each_part([&](const auto& part) {
+      if (part.number() == stable.part) text = part.describe(nodes_, stable.element);
     });
     return text;
   }

@@ -40,4 +40,21 @@ struct EquivalentStress {
   }
 };
 
+/// The stress as a tensor in lanes of T: of a point in a plate by its components in the frame of the plate, of a fluid
+/// its pressure; 0 of a point without either.
+template <class T>
+struct StressTensor {
+  template <class State>
+  SymmetricTensor<T> operator()(const State& point) const {
+    if constexpr (requires { point.stress.zz; })
+      return point.stress;
+    else if constexpr (requires { point.stress.xx; })
+      return {point.stress.xx, point.stress.yy, T(0.0), point.stress.xy, T(0.0), T(0.0)};
+    else if constexpr (requires { point.pressure; })
+      return SymmetricTensor<T>::isotropic(-point.pressure);
+    else
+      return {};
+  }
+};
+
 }  // namespace strike

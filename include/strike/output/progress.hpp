@@ -16,18 +16,19 @@ namespace strike {
 /// When the progress line is shown.
 enum class Show { on_terminal, always, never };
 
-/// Parameters of a progress line.
+/// Options of a progress line.
 struct ProgressOptions {
-  double end;                     ///< time at which the run ends [time]
+  double end = 0;                 ///< time at which the run ends; 0: the one that its until has been given [time]
   std::string unit = {};          ///< of time
   Show show = Show::on_terminal;  ///< by default only to a person
   std::FILE* stream = stderr;
 };
 
-/// One line on a terminal that tells how far a run is: percent, time, step, energy error, estimated rest. Call it after
-/// each step: `progress(t, step, [&] { return ledger.error(); })`. The error (relative) may be a number or a function
-/// that is called only if a line is drawn. It draws at most four times a second, and at the end, and looks at the clock
-/// about forty times a second; a call between costs two comparisons.
+/// An observer that shows on a terminal how far a run is: percent, time, step number, dt, energy error, estimated rest.
+///   run.until(0.08, Progress{{.unit = "ms"}});
+/// It draws at most four times a second, and at the end, and looks at the clock about forty times a second; a call
+/// between costs two comparisons. A loop of your own calls update(time, step, dt, error), where the relative error is a
+/// number, or a function that is called only if a line is drawn.
 class Progress {
  public:
   explicit Progress(const ProgressOptions& options) : options_(options) {
@@ -43,9 +44,14 @@ class Progress {
     if (drawn_) std::fputc('\n', options_.stream);
   }
 
+  template <class Run>
+  void operator()(const Run& run) {
+    if (!(options_.end > 0)) options_.end = run.end();
+    update(run.time(), run.steps(), run.dt(), [&] { return run.energy().error(); });
+  }
   template <class Number>
     requires std::convertible_to<Number, double> || std::invocable<Number&>
-  void operator()(double time, std::uint64_t step, Number&& energy_error) {
+  void update(double time, std::uint64_t step, double dt, Number&& energy_error) {
     if (++calls_ < next_look_ && (time < options_.end || next_look_ == never)) return;
     const double now = seconds();
     // Looks spread over calls so that about 25 ms lie between two.
@@ -56,9 +62,9 @@ class Progress {
     if (drawn_ && now - last_drawn_ < 0.25 && time < options_.end) return;
     last_drawn_ = now;
     if constexpr (std::invocable<Number&>)
-      draw(time, step, energy_error(), now);
+      draw(time, step, dt, energy_error(), now);
     else
-      draw(time, step, energy_error, now);
+      draw(time, step, dt, energy_error, now);
   }
 
  private:
@@ -66,16 +72,17 @@ class Progress {
 
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
-  void draw(double time, std::uint64_t step, double energy_error, double now) {
+  void draw(double time, std::uint64_t step, double dt, double energy_error, double now) {
     const double done = options_.end > 0 ? time / options_.end : 1;
     char rest[48] = "";
     if (done >= 1)
       std::snprintf(rest, sizeof rest, "%s in all", duration(now).c_str());
     else if (done > 0 && now > 0.5)
       std::snprintf(rest, sizeof rest, "%s left", duration(now / done - now).c_str());
-    std::fprintf(options_.stream, "\r\033[K%3.0f %%  t = %.4g of %.4g %s  step %llu  energy error %.2g %%  %s",
+    std::fprintf(options_.stream,
+                 "\r\033[K%3.0f %%  t = %.4g of %.4g %s  step %llu  dt = %.3g  energy error %.2g %%  %s",
                  std::floor(100 * done), time, options_.end, options_.unit.c_str(),
-                 static_cast<unsigned long long>(step), 100 * energy_error, rest);
+                 static_cast<unsigned long long>(step), dt, 100 * energy_error, rest);
     std::fflush(options_.stream);
     drawn_ = true;
   }

@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include <strike/element/element.hpp>
 #include <strike/error.hpp>
+#include <strike/material/point_values.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/output/field.hpp>
 #include <strike/output/file.hpp>
@@ -80,37 +82,58 @@ inline void write_field(Xml& xml, const Field& field, std::size_t rows, std::str
 
 }  // namespace detail
 
-/// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the
-/// cells of the mesh (hexahedra, then tetrahedra, then quadrilaterals), fields by node and by cell in the same order.
-/// Fields of 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file appears
-/// whole or not at all. Errors: numbers of rows that do not fit; a file that cannot be written.
-inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
-                      const std::vector<Field>& node_fields = {}, const std::vector<Field>& cell_fields = {}) {
-  const std::size_t nodes = mesh.nodes.size();
-  const std::size_t cells = mesh.hexahedra.size() + mesh.tetrahedra.size() + mesh.quadrilaterals.size();
-  if (positions.size() != nodes || positions.components() != 3)
-    throw Error(
-        detail::joined({"VTU file '", path, "' needs 3 coordinates for each of ", std::to_string(nodes),
-                        " nodes, but got ", std::to_string(positions.size()), " rows of ",
-                        std::to_string(positions.components()), ": give the positions of the nodes of the mesh."}));
+namespace detail {
 
-  detail::DataArray<std::int32_t> connectivity, offsets;
-  detail::DataArray<std::uint8_t> types;
-  std::int32_t offset = 0;
-  const auto add = [&](const auto& list, std::uint8_t type) {
-    for (const auto& cell : list) {
-      for (const Index node : cell) connectivity.push_back(static_cast<std::int32_t>(node));
-      offsets.push_back(offset += static_cast<std::int32_t>(cell.size()));
-      types.push_back(type);
+/// Cells of a VTU file.
+class VtuCells {
+ public:
+  /// VTK's number of the kind of a cell with n corners, of which VTK numbers those of 1 to 8 as we do.
+  static constexpr std::uint8_t kind(std::size_t n, bool solid) {
+    switch (n) {
+      case 1:
+        return 1;  // VTK_VERTEX
+      case 2:
+        return 3;  // VTK_LINE
+      case 3:
+        return 5;  // VTK_TRIANGLE
+      case 4:
+        return solid ? 10 : 9;  // VTK_TETRA, VTK_QUAD
+      case 6:
+        return 13;  // VTK_WEDGE
+      case 8:
+        return 12;  // VTK_HEXAHEDRON
+      default:
+        return 2;  // VTK_POLY_VERTEX
     }
-  };
-  add(mesh.hexahedra, 12);      // VTK_HEXAHEDRON: its corners are numbered as ours, and so are those of the others
-  add(mesh.tetrahedra, 10);     // VTK_TETRA
-  add(mesh.quadrilaterals, 9);  // VTK_QUAD
-  detail::DataArray<double> time_value;
+  }
+  template <class Cell>
+  void add(const Cell& cell, std::uint8_t kind) {
+    for (const Index node : cell) connectivity_.push_back(static_cast<std::int32_t>(node));
+    offsets_.push_back(offset_ += static_cast<std::int32_t>(cell.size()));
+    kinds_.push_back(kind);
+    ++size_;
+  }
+  std::size_t size() const { return size_; }
+  void write(Xml& xml) const {
+    connectivity_.write(xml, "connectivity");
+    offsets_.write(xml, "offsets");
+    kinds_.write(xml, "types");
+  }
+
+ private:
+  DataArray<std::int32_t> connectivity_, offsets_;
+  DataArray<std::uint8_t> kinds_;
+  std::int32_t offset_ = 0;
+  std::size_t size_ = 0;
+};
+
+inline void write_vtu(const std::string& path, double time, const Rows& positions, const VtuCells& cells,
+                      const std::vector<Field>& node_fields, const std::vector<Field>& cell_fields) {
+  const std::size_t nodes = positions.size();
+  DataArray<double> time_value;
   time_value.push_back(time);
 
-  detail::Xml xml;
+  Xml xml;
   xml.raw("<?xml version=\"1.0\"?>\n");
   xml.open("VTKFile", {{"type", "UnstructuredGrid"},
                        {"version", "1.0"},
@@ -120,22 +143,69 @@ inline void write_vtu(const std::string& path, double time, const Mesh& mesh, co
   xml.open("FieldData");
   time_value.write(xml, "TimeValue");
   xml.close();
-  xml.open("Piece", {{"NumberOfPoints", nodes}, {"NumberOfCells", cells}});
+  xml.open("Piece", {{"NumberOfPoints", nodes}, {"NumberOfCells", cells.size()}});
   xml.open("Points");
-  detail::write_field(xml, {"Points", positions}, nodes, "nodes");
+  write_field(xml, {"Points", positions}, nodes, "nodes");
   xml.close();
   xml.open("Cells");
-  connectivity.write(xml, "connectivity");
-  offsets.write(xml, "offsets");
-  types.write(xml, "types");
+  cells.write(xml);
   xml.close();
   xml.open("PointData");
-  for (const Field& field : node_fields) detail::write_field(xml, field, nodes, "nodes");
+  for (const Field& field : node_fields) write_field(xml, field, nodes, "nodes");
   xml.close();
   xml.open("CellData");
-  for (const Field& field : cell_fields) detail::write_field(xml, field, cells, "cells");
+  for (const Field& field : cell_fields) write_field(xml, field, cells.size(), "cells");
   for (int tag = 0; tag < 4; ++tag) xml.close();
-  detail::replace_file(path, xml.str());
+  replace_file(path, xml.str());
+}
+
+}  // namespace detail
+
+/// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the
+/// cells of the mesh (hexahedra, then tetrahedra, then quadrilaterals), fields by node and by cell in the same order.
+/// Fields of 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file appears
+/// whole or not at all. Errors: numbers of rows that do not fit; a file that cannot be written.
+inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
+                      const std::vector<Field>& node_fields = {}, const std::vector<Field>& cell_fields = {}) {
+  const std::size_t nodes = mesh.nodes.size();
+  if (positions.size() != nodes || positions.components() != 3)
+    throw Error(
+        detail::joined({"VTU file '", path, "' needs 3 coordinates for each of ", std::to_string(nodes),
+                        " nodes, but got ", std::to_string(positions.size()), " rows of ",
+                        std::to_string(positions.components()), ": give the positions of the nodes of the mesh."}));
+  detail::VtuCells cells;
+  for (const auto& cell : mesh.hexahedra) cells.add(cell, detail::VtuCells::kind(8, true));
+  for (const auto& cell : mesh.tetrahedra) cells.add(cell, detail::VtuCells::kind(4, true));
+  for (const auto& cell : mesh.quadrilaterals) cells.add(cell, detail::VtuCells::kind(4, false));
+  detail::write_vtu(path, time, positions, cells, node_fields, cell_fields);
+}
+
+/// Writes the state of a run: the velocity of nodes, and of each element its part, mean stress (xx yy zz xy yz zx, of a
+/// plate in the plate's frame) and mean equivalent plastic strain (0 where a material has none). Cells stand part after
+/// part, without those that have been deleted. Error: a file that cannot be written.
+template <class Run>
+  requires requires(const Run& run) { run.each_part([](const auto&) {}); }
+void write_vtu(const std::string& path, const Run& run) {
+  detail::VtuCells cells;
+  std::vector<double> parts, plastic_strains;
+  std::vector<SymmetricTensor<double>> stresses;
+  run.each_part([&]<class Part>(const Part& part) {
+    const std::vector<bool> alive = part.alive();
+    const auto all = part.cells(run.nodes());
+    const std::vector<SymmetricTensor<double>> stress = part.field(StressTensor<typename Part::Number>{});
+    const std::vector<double> plastic_strain = part.field(PlasticStrain{});
+    constexpr auto kind = detail::VtuCells::kind(Part::n, !turns_nodes<typename Part::Element>());
+    for (std::size_t e = 0; e < all.size(); ++e) {
+      if (!alive[e]) continue;
+      cells.add(all[e], kind);
+      parts.push_back(static_cast<double>(part.number()));
+      stresses.push_back(stress[e]);
+      plastic_strains.push_back(plastic_strain[e]);
+    }
+  });
+  const std::vector<Eigen::Vector3d> positions = run.positions(), velocities = run.velocities();
+  detail::write_vtu(path, run.time(), positions, cells, {{"velocity", velocities}},
+                    {{"part", parts}, {"stress", stresses}, {"equivalent plastic strain", plastic_strains}});
 }
 
 /// A film for ParaView: `stem_0000.vtu`, `stem_0001.vtu`, ... and two lists of them, `stem.pvd` and `stem.vtu.series`
@@ -151,6 +221,14 @@ class VtuSeries {
     const std::size_t k = times_.size();
     times_.push_back(time);
     write_vtu(stem_ + number(k), time, mesh, positions, node_fields, cell_fields);
+    write_lists();
+  }
+  /// Adds the state of a run: velocities, parts, stresses and plastic strains, see `write_vtu`.
+  template <class Run>
+  void write(const Run& run) {
+    const std::size_t k = times_.size();
+    times_.push_back(run.time());
+    write_vtu(stem_ + number(k), run);
     write_lists();
   }
 
