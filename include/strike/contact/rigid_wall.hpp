@@ -6,6 +6,7 @@
 
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/scalar/scalar.hpp>
 
 namespace strike {
 
