@@ -17,7 +17,7 @@ namespace detail {
 template <class Failure>
 inline constexpr bool leaves_fluid = requires(typename Failure::template State<double> state) { state.solid; };
 
-/// The solids whose elasticity is linear and isotropic, as a Solid.
+/// A solid of linear isotropic elasticity, seen as a Solid.
 template <class S>
 struct LinearSolid {
   static constexpr bool is = false;
@@ -39,15 +39,15 @@ struct LinearSolid<Solid<LinearEos, Law, Failure>> {
   static const Parts& parts(const Parts& solid) { return solid; }
 };
 
-/// The shares of the mean and of the shear in the square of a trial q; and what is left of them by the return of
-/// PlaneStress, after the plastic increment.
+/// Return of a point to the yield surface: m and d, the parts of the mean and of the shear in the square of the trial q;
+/// the factors of both after the return; and the plastic increment.
 template <class T>
 struct PlaneReturn {
   T m, d;
   T mean{1.0}, shear{1.0}, plastic_increment{0.0};
 };
 
-/// The returns at the n points of a layer, side by side, for each is a long chain of dependent operations.
+/// The returns at the n points of a layer, interleaved, because each is a long chain of dependent operations.
 template <FlowLaw S, class State, class T, std::size_t n>
 void plane_return(const S& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns, double kappa,
                   double dt) {
@@ -88,7 +88,7 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
         const T newton = -f * per_df, h = (1.0 - kappa) * (1.0 - b) * y * per_df;  // A2 = -3/2 h slope
         T next =
             p + newton * (1.0 + newton * h * (1.5 * slope + 0.5 * newton * curvature * (1.0 + b * (9.0 * h - 5.0))));
-        if (i > 2) {  // softening may lead astray
+        if (i > 2) {  // softening: bisect outside the bracket
           lower = select(f >= 0.0, p, lower);
           upper = select(f >= 0.0, upper, p);
           next = select(next >= lower && next <= upper, next, 0.5 * (lower + upper));
@@ -135,9 +135,9 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
 ///   s = s_trial/(1 + kappa z),  r = r_trial/(1 + z),  z = 3 G dl/q,  kappa = E/(6 G (1 - nu)) = 3 K/(3 K + 4 G)
 /// With t = 1/(1 + z) and p = (1 + z)/(1 + kappa z) this is r = t r_trial, s = t p s_trial, q = t Q with
 ///   Q^2 = s_trial^2/4 p^2 + 3/4 r_trial^2 + 3 sxy_trial^2,    q = Q - 3 G dl,    1/p = kappa + (1 - kappa) t
-/// so that for a given p the increment is that of the radial return of a solid whose trial stress is Q.
+/// so that for a given p the increment is that of a radial return from the trial stress Q.
 ///   PlaneStress aluminium{Solid{LinearEos{...}, VonMises{...}}};
-/// Volume changes by elasticity alone, and in so far as it is small: for other equations of state see ZeroNormalStress.
+/// Volume strains are elastic and small; for other equations of state see ZeroNormalStress.
 template <class S>
 struct PlaneStress {
   static constexpr bool is_linear = detail::LinearSolid<S>::is, sound = is_linear;
@@ -159,7 +159,7 @@ struct PlaneStress {
 
   double density() const { return density_of(solid); }
 
-  /// What the user should know, if anything.
+  /// A text for the user, empty if there is nothing to say.
   std::string warning() const
     requires requires(S s) { s.warning(); }
   {
@@ -171,7 +171,7 @@ struct PlaneStress {
     advance<T, 1>(std::span<State<T>, 1>(&state, 1), std::span<const PlaneStressKinematics::Rate<T>, 1>(&rate, 1), dt);
     return state.stress;
   }
-  /// The same of n points at once, which takes less time.
+  /// The stresses of n points at once, which takes less time.
   template <class T, std::size_t n>
   std::array<PlaneTensor<T>, n> stresses(std::array<State<T>, n>& points,
                                          const std::array<PlaneStressKinematics::Rate<T>, n>& rates, double dt) const {
@@ -193,23 +193,23 @@ struct PlaneStress {
     return {T(G * (1 + 3 * mean_factor(parts))), T(G)};
   }
 
-  /// d_zz of the step: tr(stress)/(3 K) is the volume strain, whatever has flowed.
+  /// d_zz of the step [1/time]: tr(stress)/(3 K) is the volume strain, with or without plastic flow.
   template <class T>
   T normal_rate(const State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt,
                 const PlaneTensor<T>& change) const {
     const double K3 = 3 * detail::LinearSolid<S>::parts(solid).eos.bulk_modulus;
-    return (1 / (K3 * dt)) * trace(change) - trace(felt(state, rate.rate_of_deformation));
+    return (1 / (K3 * dt)) * trace(change) - trace(detail::rate_if_intact(*this, state, rate).rate_of_deformation);
   }
 
   template <class T>
-    requires requires(State<T> state) { state.intact; }
+    requires detail::has_intact<State<T>>
   T intact(const State<T>& state) const {
     return state.intact;
   }
 
  private:
   template <class T>
-  static constexpr bool can_fail = requires(State<T> state) { state.intact; };
+  static constexpr bool can_fail = detail::has_intact<State<T>>;
 
   template <class T, std::size_t n>
   void advance(std::span<State<T>, n> points, std::span<const PlaneStressKinematics::Rate<T>, n> rates,
@@ -221,7 +221,7 @@ struct PlaneStress {
     for (std::size_t k = 0; k < n; ++k) {
       PlaneTensor<T>& stress = points[k].stress;
       if constexpr (can_fail<T>) strains_old[k] = detail::plastic_strain<T>(points[k]);
-      const PlaneTensor<T> d = T(dt) * felt(points[k], rates[k].rate_of_deformation);
+      const PlaneTensor<T> d = T(dt) * detail::rate_if_intact(*this, points[k], rates[k]).rate_of_deformation;
       const T s = trace(stress) + (6.0 * G * kappa) * trace(d), r = stress.xx - stress.yy + (2.0 * G) * (d.xx - d.yy);
       stress = {0.5 * (s + r), 0.5 * (s - r), stress.xy + (2.0 * G) * d.xy};
       if constexpr (FlowLaw<Law>) returns[k] = {.m = 0.25 * s * s, .d = 0.75 * r * r + 3.0 * stress.xy * stress.xy};
@@ -252,15 +252,6 @@ struct PlaneStress {
   static double mean_factor(const Parts& parts) {
     const double K3 = 3 * parts.eos.bulk_modulus;
     return K3 / (K3 + 4 * parts.strength.shear_modulus);
-  }
-
-  /// What has failed feels no motion, however wild.
-  template <class T>
-  static PlaneTensor<T> felt(const State<T>& state, const PlaneTensor<T>& D) {
-    if constexpr (requires { state.intact; })
-      return select(state.intact > 0.0, D, PlaneTensor<T>{});
-    else
-      return (void)state, D;
   }
 };
 

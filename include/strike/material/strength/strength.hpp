@@ -3,55 +3,62 @@
 #include <limits>
 #include <type_traits>
 
+#include <strike/material/report.hpp>
+#include <strike/protocol.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
-/// A law of isotropic plasticity (von Mises): an aggregate with its `shear_modulus` and one formula,
-///   flow_stress(equivalent_plastic_strain),                            or
-///   flow_stress(equivalent_plastic_strain, rate),                      or
-///   flow_stress(equivalent_plastic_strain, rate, temperature)  with  initial_temperature  and  heating, the rise of
-/// the temperature per plastic work [temperature volume/energy]. All the rest follows. A law that knows its plastic
-/// increment in closed form, or a better way to it, gives it as `plastic_increment(q, equivalent_plastic_strain, dt)`.
-/// Laws: the flow stress is not negative and does not fall with the rate.
-template <class S>
-concept RateIndependentFlow = requires(const S law, double x) {
+/// A strength: how a solid resists a change of shape. The pressure is that of its equation of state.
+///
+/// Requirements
+/// 1. `shear_modulus` [stress]: the stiffest that it answers with, unless it has `stiffness`.
+/// 2. One of these formulas, a template over the number T:
+///    a. a flow law of isotropic plasticity (von Mises), `flow_stress(e)`, `flow_stress(e, rate)`, or
+///       `flow_stress(e, rate, temperature)` with the members `initial_temperature` and `heating`, the rise of the
+///       temperature per plastic work [temperature volume/energy]; e is the equivalent plastic strain;
+///    b. `deviatoric_stress(s, d)`: the new deviator from the old one, already turned, and the increment d of the
+///       deviatoric strain;
+///    c. `deviatoric_stress(state, s, d, J, dt)` with a `State<T>` of its own; J = V/V0.
+/// Optional
+/// 3. `plastic_increment(q, e, dt)` of a flow law: its increment of plastic strain in closed form, or a better way to
+///    it; q is the equivalent of the trial stress.
+/// 4. `stiffness(state, J)`: a bound of the tangent's shear modulus, where it may exceed `shear_modulus`.
+/// 5. `State::spatial_tensors()`: a tuple of references to what the element turns.
+/// 6. `warning()`: a text for the user, empty if there is nothing to say.
+/// Laws: the flow stress is not negative and does not fall with the rate; the stress does no negative plastic work.
+/// Models: VonMises, RateVonMises, PowerHardening, TabulatedHardening, CowperSymonds, JohnsonCook, ZerilliArmstrong,
+/// Sensitive (a); ElasticStrength (b); KinematicHardening, Prony, MooneyRivlin (c).
+template <class S, class T = double>
+concept RateIndependentFlow = requires(const S law, const T x) {
   { law.shear_modulus } -> std::convertible_to<double>;
-  { law.flow_stress(x) } -> std::convertible_to<double>;
+  { law.flow_stress(x) } -> std::convertible_to<T>;
 };
-template <class S>
-concept RateDependentFlow = requires(const S law, double x) {
+template <class S, class T = double>
+concept RateDependentFlow = requires(const S law, const T x) {
   { law.shear_modulus } -> std::convertible_to<double>;
-  { law.flow_stress(x, x) } -> std::convertible_to<double>;
+  { law.flow_stress(x, x) } -> std::convertible_to<T>;
 };
-template <class S>
-concept ThermalFlow = requires(const S law, double x) {
+template <class S, class T = double>
+concept ThermalFlow = requires(const S law, const T x) {
   { law.shear_modulus } -> std::convertible_to<double>;
-  { law.flow_stress(x, x, x) } -> std::convertible_to<double>;
+  { law.flow_stress(x, x, x) } -> std::convertible_to<T>;
   { law.heating } -> std::convertible_to<double>;
   { law.initial_temperature } -> std::convertible_to<double>;
 };
-template <class S>
-concept FlowLaw = RateIndependentFlow<S> || RateDependentFlow<S> || ThermalFlow<S>;
-
-/// A model of its own that remembers something, in a `State<T>` whose `spatial_tensors()`, if it has them, are turned:
-/// `deviatoric_stress(state, s, d, J, dt)`, where J = V/V0; and if its tangent may exceed its `shear_modulus`, the
-/// bound `stiffness(state, J)`.
-template <class S>
+template <class S, class T = double>
+concept FlowLaw = RateIndependentFlow<S, T> || RateDependentFlow<S, T> || ThermalFlow<S, T>;
+template <class S, class T = double>
 concept StrengthWithMemory =
-    requires(const S strength, typename S::template State<double> state, const SymmetricTensor<double> s) {
+    requires(const S strength, typename S::template State<T> state, const SymmetricTensor<T> s, const T J) {
       { strength.shear_modulus } -> std::convertible_to<double>;
-      { strength.deviatoric_stress(state, s, s, 1.0, 1.0) } -> std::same_as<SymmetricTensor<double>>;
+      { strength.deviatoric_stress(state, s, s, J, 1.0) } -> std::same_as<SymmetricTensor<T>>;
     };
-
-/// How a solid resists a change of shape: a flow law, or a model of its own that has a `shear_modulus`, the stiffest
-/// that it answers with, and `deviatoric_stress(s, d)`: the new deviator from the old one (already turned) and the
-/// deviatoric strain increment d; or one with memory.
-template <class S>
-concept Strength = FlowLaw<S> || StrengthWithMemory<S> || requires(const S strength, const SymmetricTensor<double> s) {
+template <class S, class T = double>
+concept Strength = FlowLaw<S, T> || StrengthWithMemory<S, T> || requires(const S strength, const SymmetricTensor<T> s) {
   { strength.shear_modulus } -> std::convertible_to<double>;
-  { strength.deviatoric_stress(s, s) } -> std::same_as<SymmetricTensor<double>>;
+  { strength.deviatoric_stress(s, s) } -> std::same_as<SymmetricTensor<T>>;
 };
 
 /// No plasticity: Hooke's law for the deviator.
@@ -89,7 +96,7 @@ struct OwnMemory {
   using State = typename S::template State<T>;
 };
 template <class S>
-constexpr auto strength_state() {
+constexpr auto strength_memory() {
   if constexpr (ThermalFlow<S>)
     return ThermalPlasticity{};
   else if constexpr (FlowLaw<S>)
@@ -143,9 +150,118 @@ U flow_stress(const S& law, const State& state, const U& strain, const U& rate) 
 
 }  // namespace detail
 
-/// What a material with this strength has to remember for it besides the stress.
+/// The memory of a strength besides the stress.
 template <Strength S, class T>
-using StrengthState = typename decltype(detail::strength_state<S>())::template State<T>;
+using StrengthState = typename decltype(detail::strength_memory<S>())::template State<T>;
+
+namespace detail {
+
+struct FlowStress {
+  struct Decoy {
+    int flow_stress;
+  };
+  template <class Model>
+  using Member = decltype(&Model::flow_stress);
+};
+struct DeviatoricStress {
+  struct Decoy {
+    int deviatoric_stress;
+  };
+  template <class Model>
+  using Member = decltype(&Model::deviatoric_stress);
+};
+struct PlasticIncrement {
+  struct Decoy {
+    int plastic_increment;
+  };
+  template <class Model>
+  using Member = decltype(&Model::plastic_increment);
+  template <class T>
+  static auto call(const auto& law, const T& q) -> decltype(T(law.plastic_increment(q, q, 1.0))) {
+    return law.plastic_increment(q, q, 1.0);
+  }
+};
+struct Stiffness {
+  struct Decoy {
+    int stiffness;
+  };
+  template <class Model>
+  using Member = decltype(&Model::stiffness);
+  template <class T>
+  static auto call(const auto& law, const auto& state, const T& J) -> decltype(T(law.stiffness(state, J))) {
+    return law.stiffness(state, J);
+  }
+};
+
+/// Flaws of a strength, in the order in which they are reported.
+enum class StrengthFlaw { none, absent, flow, deviator, in_double, increment, stiffness, warning };
+template <class S>
+constexpr StrengthFlaw strength_flaw() {
+  constexpr bool has_modulus = requires(const S strength) { double(strength.shear_modulus); };
+  if constexpr (!Strength<S>) {
+    if constexpr (has_modulus && HasName<FlowStress, S>)
+      return StrengthFlaw::flow;
+    else if constexpr (has_modulus && HasName<DeviatoricStress, S>)
+      return StrengthFlaw::deviator;
+    else
+      return StrengthFlaw::absent;
+  } else if constexpr (!Strength<S, TrialLanes>)
+    return StrengthFlaw::in_double;
+  else if constexpr (nearly<PlasticIncrement, const S, const TrialLanes>)
+    return StrengthFlaw::increment;
+  else if constexpr (nearly<Stiffness, const S, const StrengthState<S, TrialLanes>, const TrialLanes>)
+    return StrengthFlaw::stiffness;
+  else if constexpr (misfits<Warning, const S>)
+    return StrengthFlaw::warning;
+  else
+    return StrengthFlaw::none;
+}
+
+/// Reports what is nearly a strength.
+template <class S>
+struct StrengthReport {
+  static constexpr StrengthFlaw flaw = strength_flaw<S>();
+  static_assert(flaw != StrengthFlaw::flow,
+                "strike: flow_stress of a strength takes (strain), (strain, rate), or (strain, rate, temperature) with "
+                "the members initial_temperature and heating, and returns the stress.");
+  static_assert(flaw != StrengthFlaw::deviator,
+                "strike: deviatoric_stress of a strength takes (s, d), or with a State<T> of its own (state, s, d, J, "
+                "dt), and returns a SymmetricTensor<T>.");
+  static_assert(flaw != StrengthFlaw::in_double,
+                "strike: a formula of this strength takes double alone: make it a template over the number, such as "
+                "template <class T> T flow_stress(const T& strain) const.");
+  static_assert(flaw != StrengthFlaw::increment,
+                "strike: plastic_increment of a strength is template <class T> T plastic_increment(const T& q, const "
+                "T& strain, double dt) const; this one has other arguments or another result.");
+  static_assert(flaw != StrengthFlaw::stiffness,
+                "strike: stiffness of a strength is template <class T> T stiffness(const State<T>& state, const T& J) "
+                "const; this one has other arguments or another result.");
+  static_assert(flaw != StrengthFlaw::warning,
+                "strike: warning of a strength is std::string warning() const; this one has other arguments or another "
+                "result.");
+
+  static void try_on_lanes([[maybe_unused]] const S& law) {
+    [[maybe_unused]] const TrialLanes x = 1.0;
+    [[maybe_unused]] const SymmetricTensor<TrialLanes> s{};
+    if constexpr (flaw != StrengthFlaw::none) {
+    } else if constexpr (RateIndependentFlow<S>) {
+      (void)law.flow_stress(x);
+    } else if constexpr (RateDependentFlow<S>) {
+      (void)law.flow_stress(x, x);
+    } else if constexpr (ThermalFlow<S>) {
+      (void)law.flow_stress(x, x, x);
+    } else if constexpr (StrengthWithMemory<S>) {
+      typename S::template State<TrialLanes> state{};
+      (void)law.deviatoric_stress(state, s, s, x, 1.0);
+    } else {
+      (void)law.deviatoric_stress(s, s);
+    }
+    if constexpr (requires { law.plastic_increment(x, x, 1.0); }) (void)law.plastic_increment(x, x, 1.0);
+  }
+  using OnLanes = Tried<&StrengthReport::try_on_lanes>;
+};
+
+}  // namespace detail
 
 /// The equivalent plastic strain that brings the trial equivalent stress q back to the yield surface, implicit in the
 /// strain and the rate: q - 3 G dl = flow_stress(e + dl, dl/dt).
