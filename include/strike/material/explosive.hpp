@@ -106,9 +106,8 @@ struct Explosive {
     if (burn.pressure_CJ > 0) burnt = max(burnt, burn_by_compression() * (1.0 - J));
     state.burnt = min(T(1.0), burnt);
 
-    state.pressure =
-        detail::advance_energy<Eos, T>(products, state.internal_energy, state.burnt * products.A(mu),
-                                       state.burnt * products.B(mu), dv, state.pressure, T(0.0));
+    state.pressure = detail::advance_energy<Eos, T>(products, state.internal_energy, state.burnt * products.A(mu),
+                                                    state.burnt * products.B(mu), dv, state.pressure, T(0.0));
     return stress(std::as_const(state));
   }
 

@@ -4,8 +4,9 @@
 
 namespace strike {
 
-// Conjugate pairs of a measure of motion and a stress. The product of a rate and a stress is a power: an element measures
-// the rate, its material answers with the stress, and the moduli bound the tangent, from which a stable step follows.
+// Conjugate pairs of a measure of motion and a stress. The product of a rate and a stress is a power: an element
+// measures the rate, its material answers with the stress, and the moduli bound the tangent, from which a stable step
+// follows.
 
 /// Bulk and shear modulus of a material in its present state [stress]: they bound its tangent, rho c^2 = K + 4/3 G.
 template <class T>

@@ -55,13 +55,13 @@ double density_of(const M& material) {
 /// Models: Elastic, Solid, Fluid, Explosive, Vumat (solids); PlaneStress, ZeroNormalStress (planes); Layered,
 /// Homogeneous (sections).
 template <class M, class T = double>
-concept Material = requires(const M m, typename M::template State<T> state,
-                            typename M::Kinematics::template Rate<T> rate, double dt) {
-  { density_of(m) } -> std::convertible_to<double>;
-  { m.stress(state, rate, dt) } -> std::same_as<typename M::Kinematics::template Stress<T>>;
-  { m.stress(state) } -> std::convertible_to<typename M::Kinematics::template Stress<T>>;
-  { m.moduli(state, rate) } -> std::same_as<typename M::Kinematics::template Moduli<T>>;
-};
+concept Material =
+    requires(const M m, typename M::template State<T> state, typename M::Kinematics::template Rate<T> rate, double dt) {
+      { density_of(m) } -> std::convertible_to<double>;
+      { m.stress(state, rate, dt) } -> std::same_as<typename M::Kinematics::template Stress<T>>;
+      { m.stress(state) } -> std::convertible_to<typename M::Kinematics::template Stress<T>>;
+      { m.moduli(state, rate) } -> std::same_as<typename M::Kinematics::template Moduli<T>>;
+    };
 
 /// Materials of solid elements.
 template <class M>
@@ -152,7 +152,8 @@ constexpr MaterialFlaw material_flaw() {
   }
 }
 
-/// Reports what a piece of a scene, a material or an element, has nearly right; `flawless` says whether there is a flaw.
+/// Reports what a piece of a scene, a material or an element, has nearly right; `flawless` says whether there is a
+/// flaw.
 template <class Piece>
 struct Report {};
 template <class Piece>

@@ -39,8 +39,8 @@ struct LinearSolid<Solid<LinearEos, Law, Failure>> {
   static const Parts& parts(const Parts& solid) { return solid; }
 };
 
-/// Return of a point to the yield surface: m and d, the parts of the mean and of the shear in the square of the trial q;
-/// the factors of both after the return; and the plastic increment.
+/// Return of a point to the yield surface: m and d, the parts of the mean and of the shear in the square of the trial
+/// q; the factors of both after the return; and the plastic increment.
 template <class T>
 struct PlaneReturn {
   T m, d;

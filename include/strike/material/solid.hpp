@@ -26,7 +26,8 @@ constexpr SolidFlaw solid_flaw() {
 }
 }  // namespace detail
 
-/// A solid: an equation of state for the pressure, a strength for the change of shape, and if it can fail a failure law.
+/// A solid: an equation of state for the pressure, a strength for the change of shape, and if it can fail a failure
+/// law.
 ///   Solid copper{LinearEos{.density = 8930, .bulk_modulus = 130e9},
 ///                VonMises{.shear_modulus = 43.3e9, .yield_stress = 400e6, .hardening_modulus = 100e6}};
 template <class Eos, class S, class Failure = NoFailure, class... More>

@@ -18,10 +18,10 @@ constexpr bool is_solid_material() {
 }
 }  // namespace detail
 
-/// Plane stress of any solid material, whatever its equation of state: iterates the strain across in each step until the
-/// stress across is zero to the rounding of the modulus (as X3D, Brockman and Held 1991). A step costs 2 to 6 steps of
-/// the solid; PlaneStress is the closed form where there is one. The solid must be able to carry tension, which a gas
-/// is not.
+/// Plane stress of any solid material, whatever its equation of state: iterates the strain across in each step until
+/// the stress across is zero to the rounding of the modulus (as X3D, Brockman and Held 1991). A step costs 2 to 6 steps
+/// of the solid; PlaneStress is the closed form where there is one. The solid must be able to carry tension, which a
+/// gas is not.
 ///   ZeroNormalStress{Solid{GruneisenEos{...}, VonMises{...}}};
 template <class S>
 struct ZeroNormalStress {

@@ -96,8 +96,7 @@ struct Accumulate {
   }
 };
 template <class F, class T>
-inline constexpr bool accumulates =
-    answers<Accumulate, const F, FailurePoint<F, T>, const T, const T, const double>;
+inline constexpr bool accumulates = answers<Accumulate, const F, FailurePoint<F, T>, const T, const T, const double>;
 
 /// Flaws of a failure law, in the order in which they are reported.
 enum class FailureFlaw { none, absent, fails, fail, flag, in_double, accumulate, memory, tensors };
@@ -147,9 +146,10 @@ struct FailureReport {
   static_assert(flaw != FailureFlaw::memory,
                 "strike: the State<T> of this failure law holds more than its flag, and nothing changes it: give it "
                 "accumulate(state, equivalent_stress, plastic_increment, dt).");
-  static_assert(flaw != FailureFlaw::tensors,
-                "strike: spatial_tensors in the State<T> of a failure law are not turned: keep what turns in a strength "
-                "with memory.");
+  static_assert(
+      flaw != FailureFlaw::tensors,
+      "strike: spatial_tensors in the State<T> of a failure law are not turned: keep what turns in a strength "
+      "with memory.");
   static void try_on_lanes([[maybe_unused]] const F& failure) {
     if constexpr (flaw == FailureFlaw::none && !std::same_as<F, NoFailure>) {
       FailurePoint<F, TrialLanes> point{};
@@ -225,8 +225,7 @@ struct BecomesFluid {
     detail::call_if_present<detail::Accumulate>(criterion, state, equivalent_stress, plastic_increment, dt);
   }
   template <class T, class S>
-  auto fails(const T& equivalent_stress, const S& state) const
-      -> decltype(criterion.fails(equivalent_stress, state)) {
+  auto fails(const T& equivalent_stress, const S& state) const -> decltype(criterion.fails(equivalent_stress, state)) {
     return criterion.fails(equivalent_stress, state);
   }
 };
