@@ -71,7 +71,10 @@ template <class M>
 concept PlaneMaterial = Material<M> && std::same_as<typename M::Kinematics, PlaneStressKinematics>;
 /// Sections, the materials of plates.
 template <class M>
-concept PlateSection = Material<M> && std::same_as<typename M::Kinematics, PlateKinematics>;
+concept PlateSection = Material<M> && std::same_as<typename M::Kinematics, PlateKinematics> && requires(const M m) {
+  { m.thickness() } -> std::convertible_to<double>;
+  { m.rotary_inertia() } -> std::convertible_to<double>;
+};
 
 namespace detail {
 
@@ -127,7 +130,7 @@ struct SpatialTensors {
 };
 
 /// Flaws of what a material of a user's own has beside its requirements, in the order in which they are reported.
-enum class MaterialFlaw { none, in_double, begin, intact, viscosity, warning, tensors };
+enum class MaterialFlaw { none, in_double, section, begin, intact, viscosity, warning, tensors };
 template <class M>
 constexpr MaterialFlaw material_flaw() {
   if constexpr (!Material<M>)
@@ -136,6 +139,8 @@ constexpr MaterialFlaw material_flaw() {
     using State = typename M::template State<double>;
     if constexpr (!Material<M, TrialLanes>)
       return MaterialFlaw::in_double;
+    else if constexpr (std::same_as<typename M::Kinematics, PlateKinematics> && !PlateSection<M>)
+      return MaterialFlaw::section;
     else if constexpr (misfits<Begin, const M, State> &&
                        !answers<BeginAtPlace, const M, State, const Eigen::Matrix<double, 3, 1>>)
       return MaterialFlaw::begin;
@@ -175,6 +180,8 @@ struct Report<M> {
   static_assert(flaw != MaterialFlaw::in_double,
                 "strike: a function of this material takes double alone: make stress, moduli and State templates over "
                 "the number T.");
+  static_assert(flaw != MaterialFlaw::section,
+                "strike: a section needs thickness() and rotary_inertia() beside the functions of a material.");
   static_assert(flaw != MaterialFlaw::begin,
                 "strike: begin of a material is template <class T> void begin(State<T>& state) const, or that with a "
                 "place; this one has other arguments.");

@@ -12,6 +12,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/check.hpp>
+#include <strike/scalar/bisect.hpp>
 #include <strike/verify/eigenmodes.hpp>
 #include <strike/verify/single_element.hpp>
 
@@ -236,15 +237,16 @@ DistortionSweep distortion_sweep(const E& element, const M& material, const Noda
         sound = last.amount;
         continue;
       }
-      double failed = last.amount;
       limit.reason = last.soundness;
-      while (failed - sound > options.resolution * distortion.largest) {
-        const double middle = 0.5 * (sound + failed);
-        const DistortedElement between = at(middle);
-        (between.soundness == Soundness::sound ? sound : failed) = middle;
-        if (between.soundness != Soundness::sound) limit.reason = between.soundness;
-      }
-      limit.amount = sound;
+      const auto is_sound = [&](double amount) {
+        const Soundness soundness = at(amount).soundness;
+        if (soundness != Soundness::sound) limit.reason = soundness;
+        return soundness == Soundness::sound;
+      };
+      const auto is_wide = [&](const Bracket<double>& b) {
+        return b.upper - b.lower > options.resolution * distortion.largest;
+      };
+      limit.amount = bisect(Bracket<double>{sound, last.amount}, is_sound, is_wide).lower;
       break;
     }
     sweep.limits.push_back(limit);

@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <strike/error.hpp>
+#include <strike/scalar/bisect.hpp>
 #include <strike/section/transverse_shear.hpp>
 #include <strike/text.hpp>
 
@@ -97,14 +98,11 @@ class Laminate {
   /// The lowest natural frequency of a half wave [rad/time], which bends: det [S; T](U, W) = 0 on the free top.
   double angular_frequency(double p) const {
     const TransverseShear<double> plate = transverse_shear();
-    double lower = 0, upper = 1.1 * p * p * p * p * plate.bending / density();  // Kirchhoff's is above
+    const Bracket<double> all{0, 1.1 * p * p * p * p * plate.bending / density()};  // Kirchhoff's is above
     const auto at_free_top = [&](double omega2) { return determinant(traction(p, omega2)); };
     const bool positive = at_free_top(0) > 0;
-    for (int bit = 0; bit < 60; ++bit) {
-      const double middle = (lower + upper) / 2;
-      ((at_free_top(middle) > 0) == positive ? lower : upper) = middle;
-    }
-    return std::sqrt((lower + upper) / 2);
+    const auto is_below = [&](double omega2) { return (at_free_top(omega2) > 0) == positive; };
+    return std::sqrt(bisect(all, is_below, 60).middle());
   }
 
  private:
