@@ -144,7 +144,7 @@ class Layered {
     return sum.stress(relative_thickness, state.shear, 0);
   }
 
-  /// Those of the elastic layers.
+  /// Bounds of the tangent, those of the elastic layers.
   template <class T>
   PlateKinematics::Moduli<T> moduli(const State<T>& state, const PlateKinematics::Rate<T>& rate) const {
     return integrals_.moduli<T>(rate.relative_thickness, stiffness(state));

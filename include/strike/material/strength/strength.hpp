@@ -61,9 +61,9 @@ concept Strength = FlowLaw<S, T> || StrengthWithMemory<S, T> || requires(const S
   { strength.deviatoric_stress(s, s) } -> std::same_as<SymmetricTensor<T>>;
 };
 
-/// No plasticity: Hooke's law for the deviator.
+/// Hooke's law for the deviator, without plasticity.
 struct ElasticStrength {
-  double shear_modulus;
+  double shear_modulus;  ///< G [stress]
 
   template <class T>
   SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>& d) const {
@@ -87,7 +87,7 @@ struct ThermalPlasticity {
   template <class T>
   struct State {
     T equivalent_plastic_strain{};
-    T temperature_rise{};
+    T temperature_rise{};  ///< [temperature]
   };
 };
 template <class S>
@@ -107,7 +107,7 @@ constexpr auto strength_memory() {
     return NoPlasticity{};
 }
 
-/// The number without the derivatives that it may have.
+/// A number without its derivatives.
 template <class T>
 T constant(const T& x) {
   return x;
@@ -117,10 +117,10 @@ Dual<T, N> constant(const Dual<T, N>& x) {
   return x.value();
 }
 
-/// The root of a falling f in (0, 1) from the guess x, by steps that a bracket keeps safe. They are Newton's in ln x,
-/// for power laws and logarithms take the root over many decades. `active` marks the lanes that count; f takes and
-/// gives Dual<T, 1>; `tolerance` is in the units of f. The last step always is Newton's: it alone gives a dual root its
-/// derivatives, those of the implicit function.
+/// The root of a falling f in (0, 1) from the guess x, by Newton's steps in ln x inside a bracket: with power laws and
+/// logarithms the root ranges over many decades. `active` marks the lanes that count; f takes and gives Dual<T, 1>;
+/// `tolerance` is in the units of f. The last step is always Newton's: it gives a dual root the derivatives of the
+/// implicit function.
 template <class T, class F, class M>
 T falling_root(F f, T x, const M& active, const T& tolerance) {
   T lower = T(0.0), upper = T(1.0);
@@ -137,7 +137,7 @@ T falling_root(F f, T x, const M& active, const T& tolerance) {
   return x;
 }
 
-/// The flow stress of a law of any kind, with the temperature of the state.
+/// The flow stress of a flow law of any kind, at the temperature of the state.
 template <FlowLaw S, class U, class State>
 U flow_stress(const S& law, const State& state, const U& strain, const U& rate) {
   if constexpr (ThermalFlow<S>)
