@@ -6,6 +6,7 @@
 #include <strike/material/eos/eos.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/material.hpp>
+#include <strike/material/strength/report.hpp>
 #include <strike/material/strength/strength.hpp>
 
 namespace strike {

@@ -4,6 +4,7 @@
 
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/report.hpp>
 #include <strike/material/strength/strength.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/scalar/pack.hpp>
