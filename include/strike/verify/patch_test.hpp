@@ -80,7 +80,7 @@ Patch<E::nodes> unit_patch() {
     return tetrahedra_patch();
 }
 
-/// What a patch answers to a motion.
+/// Answer of a patch to a motion.
 template <class E>
 struct PatchResponse {
   int first_inner;
