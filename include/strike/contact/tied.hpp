@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/pairing.hpp>
 #include <strike/contact/search.hpp>
@@ -20,12 +21,13 @@
 
 namespace strike {
 
-/// Nodes that stay where they begin on a surface: meshes that need not fit. Impulses that keep momentum, and where
-/// nodes lie on the faces its moment, take the velocity of every node relative to its point; they cost no stable step.
-/// Node after node, again and again until all fit.
+/// Nodes tied to their places on a surface: a joint of meshes that need not fit. Impulses remove the velocity of every
+/// node relative to its point, node after node, until all fit; they keep momentum, and its moment where nodes lie on
+/// the faces, and need no smaller step.
 class Tied {
  public:
-  /// Error, at the start: a node farther from the surface than `tolerance`, if 0 a tenth of the mean face [length].
+  /// `tolerance` is the largest distance of a node from the surface [length]; 0: a tenth of the mean diagonal of a
+  /// face. Errors: no nodes; at the start, a node farther from the surface, or one that belongs to it.
   Tied(std::vector<Index> nodes, Surface surface, double tolerance = 0)
       : nodes_(detail::ascending(std::move(nodes))), surface_(std::move(surface)), tolerance_(tolerance) {
     if (nodes_.empty()) throw Error("strike: a Tied has no nodes; give it some, such as surface_nodes(faces).");
@@ -43,9 +45,9 @@ class Tied {
       detail::Foot best;
       for (const Index f : search.near(s)) {
         if (target_.has(f, local[s]))
-          throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]),
-                                      " is tied to a surface that it "
-                                      "belongs to; take it out of the tied nodes."}));
+          throw Error(
+              detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[local[s]]),
+                              " is tied to a surface that it belongs to; take it out of the tied nodes."}));
         const detail::Foot foot = target_.foot(f, target_.corners(f, all_.x), all_.x[local[s]], all_.x);
         if (foot.point.distance2 < best.point.distance2) best = foot;
       }
@@ -68,7 +70,7 @@ class Tied {
   template <class N, class Ledger>
   void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
     all_.gather(nodes);
-    all_.learn_what_is_held(nodes);
+    all_.find_held_directions(nodes);
     all_.gather_forces(nodes, ties_, step.kick());
     double fastest = 0;
     for (const auto& v : all_.v) fastest = std::max(fastest, v.norm());
@@ -77,17 +79,17 @@ class Tied {
       left = 0;
       for (std::size_t k = 0; k < ties_.size(); ++k) left = std::max(left, pull(k, step.dt));
     }
-    all_.give_back(nodes, ledger);
+    all_.scatter(nodes, ledger);
     step_ = step;
   }
 
   /// The force on the tied nodes in the last step.
   Eigen::Vector3d force() const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const ContactPair& tie : ties_) sum += all_.pushed[tie.node];
+    for (const ContactPair& tie : ties_) sum += all_.normal_impulse[tie.node];
     return sum / step_.kick();
   }
-  /// How many times the nodes had to be gone through in the last step.
+  /// Number of sweeps over the nodes in the last step.
   int sweeps() const { return sweeps_; }
 
   template <class Archive>
@@ -96,7 +98,7 @@ class Tied {
   }
 
  private:
-  /// Takes the relative velocity that a node will have had, place and all, at the end of the step; returns what it was.
+  /// Removes the misfit of a tie at the end of the step; returns the misfit over the step [velocity].
   double pull(std::size_t k, double dt) {
     ContactPair& tie = ties_[k];
     const auto ahead = [&](Index i) { return Eigen::Vector3d(all_.x[i] + dt * all_.v[i]); };
