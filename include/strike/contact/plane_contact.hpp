@@ -45,7 +45,7 @@ class PlaneContact {
       if (!(depth > 0)) continue;
       inside_.push_back({k, depth});
       const Index i = nodes.number(places_[k]);
-      if (depth > std::max(1e-9 * x.norm(), 4 * nodes.resolution(i))) initial_.add(i, x, depth);
+      if (depth > std::max(1e-9 * x.norm(), rounding(nodes, i))) initial_.add(i, x, depth);
     }
   }
 
@@ -61,27 +61,14 @@ class PlaneContact {
       const Vector x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
       const Number approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
-      const double initial_depth = inside_.empty() ? 0 : initial_depth_of(k);
-      const Number depth = normal_.dot(point_ - x) - initial_depth;
-      // No faster out than in: no impulse adds energy.
-      const Number way = min(initial_depth > 0 ? Number(excess - initial_depth) : excess, -2 * step.dt * approach);
-      if (!(way > 0)) continue;
       const Index i = nodes.number(place);
-      const Eigen::Vector3d away = nodes.free(i, normal_);
-      const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
-      if (!(inverse_effective_mass > 1e-6)) continue;
-      const double mass = nodes.mass(i);
-      const Number push = mass * (way / step.dt) / inverse_effective_mass;
-      const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
-      const Number drag = drag_per_velocity(push, Number(sliding.norm()), mass);
-      const Vector given = push * away - drag * sliding;
-      const Vector before = v - (step.kick() / mass) * nodes.f(i);
-      const Vector after = v + (1 / mass) * given;
-      nodes.set_velocity(i, after);
-      ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
-                                  static_cast<double>(-push * away.dot(after)));
-      ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
-                                   static_cast<double>(drag * sliding.dot(after)));
+      const double initial_depth = initial_depth_of(k);
+      const Number depth = normal_.dot(point_ - x) - initial_depth;
+      const Number way = no_faster_out(initial_depth > 0 ? Number(excess - initial_depth) : excess, depth,
+                                       Number(step.dt * approach), rounding(nodes, i));
+      if (!(way > 0)) continue;
+      const Vector given = stop(nodes, i, v, approach, Number(way / step.dt), step.kick(), ledger);
+      if (!(given.squaredNorm() > 0)) continue;
       touches_.push_back({i, given.template cast<double>(), static_cast<double>(depth)});
       impulse += touches_.back().impulse;
     }
@@ -145,9 +132,46 @@ class PlaneContact {
     std::erase_if(inside_, [](const InitialDepth& initial) { return !(initial.depth > 0); });
   }
   double initial_depth_of(std::size_t k) const {
+    if (inside_.empty()) return 0;
     const auto at = std::lower_bound(inside_.begin(), inside_.end(), k,
                                      [](const InitialDepth& initial, std::size_t key) { return initial.k < key; });
     return at != inside_.end() && at->k == k ? at->depth : 0;
+  }
+
+  /// Spacing of the coordinates of node i, below which no depth counts [length].
+  template <class N>
+  static double rounding(const N& nodes, Index i) {
+    return 4 * nodes.resolution(i);
+  }
+  /// The way that the impulse gives the node in the step: to the plane, but out no faster than it came in, so that no
+  /// impulse adds energy.
+  template <class Number>
+  static Number no_faster_out(const Number& to_plane, const Number& depth, const Number& approach, double rounding) {
+    return depth > rounding ? min(to_plane, Number(-2 * approach)) : to_plane;
+  }
+
+  /// Gives node i the velocity `change` along the normal, and friction; returns the impulse.
+  template <class N, class Ledger>
+  typename N::Vector stop(N& nodes, Index i, const typename N::Vector& v, const typename N::Number& approach,
+                          const typename N::Number& change, double kick, Ledger& ledger) const {
+    using Number = typename N::Number;
+    using Vector = typename N::Vector;
+    const Eigen::Vector3d away = nodes.free(i, normal_);
+    const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
+    if (!(inverse_effective_mass > 1e-6)) return Vector::Zero();
+    const double mass = nodes.mass(i);
+    const Number push = mass * change / inverse_effective_mass;
+    const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
+    const Number drag = drag_per_velocity(push, Number(sliding.norm()), mass);
+    const Vector given = push * away - drag * sliding;
+    const Vector before = v - (kick / mass) * nodes.f(i);
+    const Vector after = v + (1 / mass) * given;
+    nodes.set_velocity(i, after);
+    ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
+                                static_cast<double>(-push * away.dot(after)));
+    ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
+                                 static_cast<double>(drag * sliding.dot(after)));
+    return given;
   }
 
   /// The impulse of friction over the speed of sliding [mass]: the mass of a node that sticks.
