@@ -41,17 +41,22 @@ class Contact {
   /// Errors: no such node; those of the pairing.
   template <class N>
   void begin(const N& nodes) {
-    std::vector<Eigen::Vector3d> points;
-    if constexpr (detail::answers<detail::Points, const P>) points = detail::Points::call(pairing_);
-    all_.begin(nodes, pairing_.numbers(), points);
-    is_first_.assign(all_.size(), 0);
-    for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
-    meeting_.emplace(pairing_.start(all_));
-    meeting_->begin(all_, inside_);
+    detail::refuse_dual_numbers<N>();
+    if constexpr (detail::is_plain<N>) {
+      std::vector<Eigen::Vector3d> points;
+      if constexpr (detail::answers<detail::Points, const P>) points = detail::Points::call(pairing_);
+      all_.begin(nodes, pairing_.numbers(), points);
+      is_first_.assign(all_.size(), 0);
+      for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
+      meeting_.emplace(pairing_.start(all_));
+      meeting_->begin(all_, inside_);
+    }
   }
 
   template <class N, class Ledger>
-  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger)
+    requires detail::is_plain<N>
+  {
     all_.gather(nodes);
     all_.find_held_directions(nodes);
     pairs_.clear();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -139,6 +140,22 @@ class ContactNodes {
   std::vector<Eigen::Matrix3d> free_;
   bool knows_held_ = false;
 };
+
+namespace detail {
+
+/// The nodes of the scene compute in double or float, not in dual numbers.
+template <class N>
+inline constexpr bool is_plain = std::is_same_v<typename N::Number, double>;
+
+/// One sentence for a run of dual numbers, whose derivatives the contact would lose.
+template <class N>
+constexpr void refuse_dual_numbers() {
+  static_assert(is_plain<N>,
+                "strike: this contact computes in double; in a run of dual numbers take a RigidWall, or a NodeToRigid "
+                "with a RigidPlane and the Kinematic law.");
+}
+
+}  // namespace detail
 
 /// A node s that touches: x_s - sum of N_I x_I = (gap - initial depth) n. Impulses J n on the node and -N_I J n on the
 /// corners, along the line through both points, keep momentum and its moment.

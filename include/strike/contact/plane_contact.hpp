@@ -64,8 +64,8 @@ class PlaneContact {
       const Index i = nodes.number(place);
       const double initial_depth = initial_depth_of(k);
       const Number depth = normal_.dot(point_ - x) - initial_depth;
-      const Number way = no_faster_out(initial_depth > 0 ? Number(excess - initial_depth) : excess, depth,
-                                       Number(step.dt * approach), rounding(nodes, i));
+      const Number way = no_faster_out(initial_depth > 0 ? Number(excess - initial_depth) : excess, depth, approach,
+                                       step.dt, rounding(nodes, i));
       if (!(way > 0)) continue;
       const Vector given = stop(nodes, i, v, approach, Number(way / step.dt), step.kick(), ledger);
       if (!(given.squaredNorm() > 0)) continue;
@@ -146,8 +146,9 @@ class PlaneContact {
   /// The way that the impulse gives the node in the step: to the plane, but out no faster than it came in, so that no
   /// impulse adds energy.
   template <class Number>
-  static Number no_faster_out(const Number& to_plane, const Number& depth, const Number& approach, double rounding) {
-    return depth > rounding ? min(to_plane, Number(-2 * approach)) : to_plane;
+  static Number no_faster_out(const Number& to_plane, const Number& depth, const Number& approach, double dt,
+                              double rounding) {
+    return depth > rounding ? min(to_plane, Number(-2 * dt * approach)) : to_plane;
   }
 
   /// Gives node i the velocity `change` along the normal, and friction; returns the impulse.

@@ -91,7 +91,8 @@ constexpr void refuse_contact() {
       "x) const, which returns {gap, normal}.");
   static_assert(flaw != pairing,
                 "strike: a Contact begins with who may touch whom: NodeToSurface{nodes, surface}, TwoWay{surface, "
-                "surface}, SelfContact{surface} or NodeToRigid{nodes, body}, where a body has a clearance(x).");
+                "surface}, SelfContact{surface} or NodeToRigid{nodes, body}, where a body has a clearance(x), or a "
+                "pairing of your own with numbers(), first() and start(nodes).");
   static_assert(flaw != points,
                 "strike: the points of this pairing do not fit; write std::vector<Eigen::Vector3d> points() const.");
   static_assert(flaw != remove,

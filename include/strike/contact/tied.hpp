@@ -35,40 +35,17 @@ class Tied {
 
   template <class N>
   void begin(const N& nodes) {
-    all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {});
-    target_ = detail::target_of(surface_.faces(), all_);
-    const std::vector<Index> local = detail::to_local(nodes_, all_);
-    if (!(tolerance_ > 0)) tolerance_ = 0.1 * target_.mean_size(all_.x);
-    detail::BucketSearch search;
-    search.sort(local, target_.faces(), all_.x, tolerance_);
-    for (std::size_t s = 0; s < local.size(); ++s) {
-      detail::Foot best;
-      for (const Index f : search.near(s)) {
-        if (target_.has(f, local[s]))
-          throw Error(
-              detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[local[s]]),
-                              " is tied to a surface that it belongs to; take it out of the tied nodes."}));
-        const detail::Foot foot = target_.foot(f, target_.corners(f, all_.x), all_.x[local[s]], all_.x);
-        if (foot.point.distance2 < best.point.distance2) best = foot;
-      }
-      if (!(best.point.distance2 <= tolerance_ * tolerance_))
-        throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[local[s]]),
-                                    " is farther than ", detail::text(tolerance_),
-                                    " from the surface that it is to be tied to; move it there or give Tied a larger "
-                                    "tolerance."}));
-      ContactPair pair;
-      pair.node = local[s], pair.corners = target_.faces()[best.face], pair.N = best.point.N;
-      pair.count = target_.count(best.face);
-      const Eigen::Vector3d normal = detail::normal_at(target_.corners(best.face, all_.x), pair.N, pair.count == 3);
-      pair.gap = normal.dot(best.point.away);
-      if (std::abs(pair.gap) < 1e-9 * tolerance_) pair.gap = 0;
-      ties_.push_back(pair);
-      faces_.push_back(best.face);
+    detail::refuse_dual_numbers<N>();
+    if constexpr (detail::is_plain<N>) {
+      all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {});
+      tie();
     }
   }
 
   template <class N, class Ledger>
-  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger)
+    requires detail::is_plain<N>
+  {
     all_.gather(nodes);
     all_.find_held_directions(nodes);
     all_.gather_forces(nodes, ties_, step.kick());
@@ -98,6 +75,43 @@ class Tied {
   }
 
  private:
+  /// Finds the place of every node on the surface.
+  void tie() {
+    target_ = detail::target_of(surface_.faces(), all_);
+    const std::vector<Index> local = detail::to_local(nodes_, all_);
+    if (!(tolerance_ > 0)) tolerance_ = 0.1 * target_.mean_size(all_.x);
+    detail::BucketSearch search;
+    search.sort(local, target_.faces(), all_.x, tolerance_);
+    for (std::size_t s = 0; s < local.size(); ++s) {
+      const detail::Foot foot = nearest(s, local[s], search);
+      ContactPair pair;
+      pair.node = local[s], pair.corners = target_.faces()[foot.face], pair.N = foot.point.N;
+      pair.count = target_.count(foot.face);
+      const Eigen::Vector3d normal = detail::normal_at(target_.corners(foot.face, all_.x), pair.N, pair.count == 3);
+      pair.gap = normal.dot(foot.point.away);
+      if (std::abs(pair.gap) < 1e-9 * tolerance_) pair.gap = 0;
+      ties_.push_back(pair);
+      faces_.push_back(foot.face);
+    }
+  }
+  /// The foot of tied node s on the nearest face.
+  detail::Foot nearest(std::size_t s, Index node, const detail::BucketSearch& search) const {
+    detail::Foot best;
+    for (const Index f : search.near(s)) {
+      if (target_.has(f, node))
+        throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[node]),
+                                    " is tied to a surface that it belongs to; take it out of the tied nodes."}));
+      const detail::Foot foot = target_.foot(f, target_.corners(f, all_.x), all_.x[node], all_.x);
+      if (foot.point.distance2 < best.point.distance2) best = foot;
+    }
+    if (!(best.point.distance2 <= tolerance_ * tolerance_))
+      throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[node]),
+                                  " is farther than ", detail::text(tolerance_),
+                                  " from the surface that it is to be tied to; move it there or give Tied a larger "
+                                  "tolerance."}));
+    return best;
+  }
+
   /// Removes the misfit of a tie at the end of the step; returns the misfit over the step [velocity].
   double pull(std::size_t k, double dt) {
     ContactPair& tie = ties_[k];
