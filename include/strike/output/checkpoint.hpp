@@ -1,6 +1,5 @@
 #pragma once
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +15,7 @@
 #include <strike/error.hpp>
 #include <strike/output/archive.hpp>
 #include <strike/output/file.hpp>
+#include <strike/output/wall_clock.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -230,7 +230,8 @@ class Checkpoint {
     start_clocks(run);
     if constexpr (detail::remembers<Run>()) {
       if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
-      with_all(run, observers, [&](auto&... things) { read_checkpoint(path_, things...); });
+      All<Run, Observers> all{run, companions_, observers};
+      read_checkpoint(path_, all);
       start_clocks(run);
       return true;
     }
@@ -239,41 +240,53 @@ class Checkpoint {
   /// After each step, when the other observers have seen it.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
-    if (run.time() < next_ && Clock::now() < alarm_) return;
-    with_all(run, observers, [&](auto&... things) { write_checkpoint(path_, things...); });
+    if (run.time() < next_ && detail::wall_clock() < alarm_) return;
+    All<Run, Observers> all{run, companions_, observers};
+    write_checkpoint(path_, all);
     start_clocks(run);
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   template <class Run>
   void start_clocks(const Run& run) {
     next_ = run.time() + options_.interval;
-    if (options_.seconds < 1e9)
-      alarm_ =
-          Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.seconds));
+    alarm_ = detail::wall_clock() + options_.seconds;
   }
 
-  /// f(run, companions and those of the observers that remember something).
-  template <class Run, class Observers, class F>
-  void with_all(Run& run, Observers& observers, const F& f) {
-    const auto remembering = [](auto& observer) {
-      if constexpr (requires(detail::Fingerprint archive) { observer.serialize(archive); })
-        return std::tie(observer);
-      else
-        return std::tuple<>();
-    };
-    std::apply(
-        f, std::tuple_cat(std::tie(run), companions_,
-                          std::apply([&](auto&... one) { return std::tuple_cat(remembering(one)...); }, observers)));
-  }
+  /// The run, the companions, and those of the observers that remember something.
+  template <class Run, class Observers>
+  struct All {
+    Run& run;
+    std::tuple<Companions&...>& companions;
+    Observers& observers;
+
+    template <class Archive>
+    static constexpr bool remembers() {
+      return detail::remembers<Run>();
+    }
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(run);
+      [&]<std::size_t... i>(std::index_sequence<i...>) {
+        archive(std::get<i>(companions)...);
+      }(std::index_sequence_for<Companions...>{});
+      [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (keep(archive, std::get<i>(observers)), ...);
+      }(std::make_index_sequence<std::tuple_size_v<Observers>>{});
+    }
+
+   private:
+    template <class Archive, class Observer>
+    static void keep(Archive& archive, Observer& observer) {
+      if constexpr (requires { observer.serialize(archive); }) archive(observer);
+    }
+  };
 
   std::string path_;
   CheckpointOptions options_;
   std::tuple<Companions&...> companions_;
   double next_ = 0;
-  Clock::time_point alarm_ = Clock::time_point::max();
+  double alarm_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace strike
