@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -78,8 +77,8 @@ class CheckpointReader final : public Archive {
  public:
   /// Errors: no such file; not a checkpoint, of another format or machine, damaged, or of another scene.
   CheckpointReader(const std::string& path, std::uint64_t scene)
-      : Archive(true), path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
-    if (!file_) refuse("cannot be opened; give the path of one that a run has written");
+      : Archive(true), path_(path), file_{std::fopen(path.c_str(), "rb")} {
+    if (!file_.stream) refuse("cannot be opened; give the path of one that a run has written");
     CheckpointHead head;
     const CheckpointHead ours;
     if (!get(&head, sizeof head) || std::memcmp(head.magic, ours.magic, sizeof head.magic) != 0)
@@ -92,7 +91,7 @@ class CheckpointReader final : public Archive {
       refuse(
           "is of another scene: its mesh, elements, materials, numbers or observers differ; go on with the program "
           "that wrote it");
-    std::fseek(file_.get(), sizeof head, SEEK_SET);
+    std::fseek(file_.stream, sizeof head, SEEK_SET);
   }
 
   void finish() const {
@@ -108,7 +107,7 @@ class CheckpointReader final : public Archive {
     get(to, count);
     left_ -= count;
   }
-  bool get(void* to, std::size_t count) { return std::fread(to, 1, count, file_.get()) == count; }
+  bool get(void* to, std::size_t count) { return std::fread(to, 1, count, file_.stream) == count; }
 
   /// The tail of a file whose checksum fits.
   CheckpointTail read_tail() {
@@ -117,7 +116,7 @@ class CheckpointReader final : public Archive {
     std::string piece(checkpoint_piece + sizeof tail, '\0');
     std::size_t kept = 0;  // what may be the tail is kept back
     for (std::size_t got = 1; got > 0;) {
-      got = std::fread(piece.data() + kept, 1, piece.size() - kept, file_.get());
+      got = std::fread(piece.data() + kept, 1, piece.size() - kept, file_.stream);
       kept += got;
       if (kept < piece.size()) break;
       hash.add(piece.data(), checkpoint_piece);
@@ -140,7 +139,13 @@ class CheckpointReader final : public Archive {
   }
 
   std::string path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  struct File {
+    std::FILE* stream;
+    ~File() {
+      if (stream) std::fclose(stream);
+    }
+  };
+  File file_;
   std::uint64_t left_ = 0;
 };
 

@@ -105,7 +105,7 @@ Vector3<T> column(const Eigen::Matrix<T, 3, n>& A, std::size_t j) {
   return {A(0, i), A(1, i), A(2, i)};
 }
 template <class T, int n>
-void set_column(Eigen::Matrix<T, 3, n>& A, std::size_t j, const Vector3<T>& a) {
+void set_column(Eigen::Matrix<T, 3, n>& A, std::size_t j, const std::type_identity_t<Vector3<T>>& a) {
   const int i = static_cast<int>(j);
   A(0, i) = a(0), A(1, i) = a(1), A(2, i) = a(2);
 }
