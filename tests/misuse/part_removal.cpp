@@ -1,4 +1,4 @@
-// expect: the fourth piece of a Part is when its elements are deleted
+// expect: the fourth piece of a Part is the law by which its elements are deleted
 #include <strike/strike.hpp>
 
 using namespace strike;

@@ -1,4 +1,4 @@
-// expect: the policies of Explicit, after its options, are its numbers
+// expect: a policy of Explicit is unknown
 #include <strike/strike.hpp>
 
 using namespace strike;

@@ -11,10 +11,12 @@ namespace strike {
 ///   run.until(80e-6, Every{1e-6, [&] { history.row(run.time(), length()); }});
 /// At the end of a run that was given up it acts once more, so that the last state is on record. The action is f() or
 /// f(run).
-template <class Action>
+template <class F>
 class Every {
  public:
-  Every(double interval, Action action) : interval_(interval), action_(std::move(action)) {
+  using Action = F;
+
+  Every(double interval, F action) : interval_(interval), action_(std::move(action)) {
     if (!(interval > 0))
       throw Error("strike: the interval of an Every is not positive: give a time greater than zero.");
   }
@@ -38,11 +40,11 @@ class Every {
  private:
   template <class Run>
   void act(const Run& run) {
-    if constexpr (detail::observer::check_action<Action, const Run>()) detail::observer::observe(action_, run);
+    detail::observer::observe(action_, run);
   }
 
   double interval_, next_ = 0;
-  Action action_;
+  F action_;
 };
 
 /// Fallback for an Every without an action: its static_assert is the one message.

@@ -75,20 +75,20 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   template <class... Observers>
   void until(double end, Observers&&... observers) {
     using All = std::tuple<std::remove_reference_t<Observers>&...>;
-    if constexpr ((detail::observer::check<std::remove_reference_t<Observers>, Explicit, All>() && ...)) {
+    using namespace detail::observer;
+    if constexpr ((report<fault<std::remove_reference_t<Observers>, Explicit, All>()>() && ...)) {
       end_ = end;
       if (std::exchange(options_.print_warnings, false)) print(warnings());
       const All all(observers...);
-      if (!(detail::observer::resumes(observers, *this, all) || ...))
-        (detail::observer::observe(observers, *this), ...);
+      if (!(resumes(observers, *this, all) || ...)) (observe(observers, *this), ...);
       try {
-        while (clock_.time() < end_ && !damping_.is_at_rest() && !(detail::observer::stops(observers) || ...)) {
+        while (clock_.time() < end_ && !damping_.is_at_rest() && !(stops(observers) || ...)) {
           step();
-          (detail::observer::observe(observers, *this), ...);
-          (detail::call_if_present<detail::observer::Save>(observers, *this, all), ...);
+          (observe(observers, *this), ...);
+          (detail::call_if_present<Save>(observers, *this, all), ...);
         }
       } catch (...) {
-        (detail::call_if_present<detail::observer::Last>(observers, *this), ...);
+        (detail::call_if_present<Last>(observers, *this), ...);
         throw;
       }
     }
@@ -303,7 +303,7 @@ class Explicit<Method, Items...> : public detail::IllFormedRun<sizeof...(Items)>
                 "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
   template <class Item>
   using Checked = detail::CheckedItem<Item, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>;
-  static constexpr bool reported = (sizeof(Checked<Items>) + ... + 0) > 0;
+  static_assert((sizeof(Checked<Items>) + ... + 0) > 0);
 
  public:
   explicit Explicit(const auto&...) {}

@@ -126,6 +126,14 @@ constexpr MethodFault method_fault() {
 /// is not told has its default: in<Pack<double>>, Serial, ElementStep, NoDamping, NoSubcycling.
 template <class... Policies>
 class Method {
+ public:
+  using Numbers = detail::PolicyOf<detail::NumbersKind, Policies...>;
+  using Execution = detail::PolicyOf<detail::ExecutionKind, Policies...>;
+  using Bound = detail::PolicyOf<detail::StepBoundKind, Policies...>;
+  using Damping = detail::PolicyOf<detail::DampingKind, Policies...>;
+  using Cycle = detail::PolicyOf<detail::CycleKind, Policies...>;
+
+ private:
   using Fault = detail::MethodFault;
   static constexpr Fault fault = detail::method_fault<Policies...>();
   static_assert(
@@ -143,12 +151,6 @@ class Method {
                 "DynamicRelaxation{}.");
 
  public:
-  using Numbers = detail::PolicyOf<detail::NumbersKind, Policies...>;
-  using Execution = detail::PolicyOf<detail::ExecutionKind, Policies...>;
-  using Bound = detail::PolicyOf<detail::StepBoundKind, Policies...>;
-  using Damping = detail::PolicyOf<detail::DampingKind, Policies...>;
-  using Cycle = detail::PolicyOf<detail::CycleKind, Policies...>;
-
   explicit Method(const Policies&... policies)
       : execution(detail::policy_of<detail::ExecutionKind>(policies...)),
         bound(detail::policy_of<detail::StepBoundKind>(policies...)),

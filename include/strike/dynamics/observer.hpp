@@ -17,7 +17,8 @@ namespace strike {
 //  5. resume(run, observers) -> bool    called before the run begins: true if it has put the run and all observers
 //  where
 //                                       they once were, so that none is called before the first step
-//  6. serialize(archive)                its memory, for a Checkpoint; see strike/output/archive.hpp
+//  6. Action                            the type of what it calls as f() or f(run), if it calls something
+//  7. serialize(archive)                its memory, for a Checkpoint; see strike/output/archive.hpp
 //
 // Laws. An observer changes nothing of the run; what it has written is whole when it returns.
 //
@@ -85,6 +86,9 @@ constexpr Fault call_fault() {
 template <class Observer, class Run, class All>
 constexpr Fault fault() {
   if constexpr (call_fault<Observer, Run>() != Fault::none) return call_fault<Observer, Run>();
+  if constexpr (requires { typename Observer::Action; })
+    if constexpr (call_fault<typename Observer::Action, const Run>() != Fault::none)
+      return call_fault<typename Observer::Action, const Run>();
   if constexpr (nearly<Stops, Observer>) return Fault::stops;
   if constexpr (nearly<Last, Observer, Run>) return Fault::last;
   if constexpr (nearly<Save, Observer, Run, const All>) return Fault::save;
@@ -108,16 +112,6 @@ constexpr bool report() {
                 "strike: resume of an observer is called as resume(run, observers) and returns a bool.");
   return found == Fault::none;
 }
-template <class Observer, class Run, class All>
-constexpr bool check() {
-  return report<fault<Observer, Run, All>()>();
-}
-/// The same for the action of an observer such as Every.
-template <class Action, class Run>
-constexpr bool check_action() {
-  return report<call_fault<Action, Run>()>();
-}
-
 /// Calls f(run), or else f().
 template <class Observer, class Run>
 void observe(Observer& observer, Run& run) {

@@ -1,0 +1,16 @@
+// expect: an item with apply_loads needs power(nodes)
+#include <strike/strike.hpp>
+using namespace strike;
+const Mesh bar = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                  VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
+struct Gravity {
+  template <class N>
+  void apply_loads(N& nodes, double) {
+    nodes.add_force(0, {0, 0, -9.81});
+  }
+};
+int main() {
+  Explicit run{Scene{bar.nodes, Part{Hex8{}, steel, bar.hexahedra}, Gravity{}}};
+  run.until(1e-3);
+}

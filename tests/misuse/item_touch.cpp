@@ -1,0 +1,14 @@
+// expect: a contact corrects velocities in resolve_contact(nodes, step, ledger)
+#include <strike/strike.hpp>
+using namespace strike;
+const Mesh bar = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                  VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
+struct Mine {
+  template <class N>
+  void touch(N&, const Step&, Ledger&) {}
+};
+int main() {
+  Explicit run{Scene{bar.nodes, Part{Hex8{}, steel, bar.hexahedra}, Mine{}}};
+  run.until(1e-3);
+}

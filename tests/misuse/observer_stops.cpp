@@ -1,0 +1,14 @@
+// expect: stops of an observer is called as stops()
+#include <strike/strike.hpp>
+using namespace strike;
+const Mesh bar = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                  VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
+struct Mine {
+  void operator()() {}
+  bool stops(int) const { return true; }
+};
+int main() {
+  Explicit run{Scene{bar.nodes, Part{Hex8{}, steel, bar.hexahedra}}};
+  run.until(1e-3, Mine{});
+}
