@@ -118,7 +118,7 @@ struct ZeroNormalStress {
   }
 
   template <class T>
-    requires requires(S s, State<T> state) { s.intact(inner(state)); }
+    requires requires(const S s, const typename Inner::template State<T> state) { s.intact(state); }
   T intact(const State<T>& state) const {
     return solid.intact(inner(state));
   }
