@@ -113,6 +113,8 @@ struct ViscosityNumber {
   };
   template <class Model>
   using Member = decltype(&Model::viscosity);
+  template <class Model>
+  using Specialised = decltype(&Model::template viscosity<double>);
   static auto call(const auto& material) -> decltype(double(material.viscosity())) { return material.viscosity(); }
 };
 template <class Tuple>
