@@ -25,6 +25,7 @@ constexpr bool is_solid_material() {
 ///   ZeroNormalStress{Solid{GruneisenEos{...}, VonMises{...}}};
 template <class S>
 struct ZeroNormalStress {
+  static_assert(instantiates(static_cast<detail::Report<S>*>(nullptr)));
   static constexpr bool is_solid = detail::is_solid_material<S>(), sound = is_solid;
   static_assert(is_solid || detail::is_reported<S>(),
                 "strike: ZeroNormalStress takes a material of solid elements, such as a Solid or Elastic.");
