@@ -40,6 +40,14 @@ constexpr JohnsonCook johnson_cook{.shear_modulus = G,
 
 }  // namespace
 
+namespace {
+template <class M>
+concept CanFail = requires(const M m, const typename M::template State<double> state) { m.intact(state); };
+}  // namespace
+
+static_assert(CanFail<ZeroNormalStress<Solid<LinearEos, VonMises, FailureStrain>>>);
+static_assert(!CanFail<ZeroNormalStress<Solid<LinearEos, VonMises>>> && !CanFail<ZeroNormalStress<Elastic>>);
+
 TEST_CASE("zero normal stress: it agrees with the closed form for every law") {
   const auto check = [](const auto& law) {
     const PlaneStress closed{Solid{linear, law}};

@@ -11,8 +11,6 @@ struct Jelly : Elastic {
 };
 
 int main() {
-  const Jelly material{{.density = 1000, .youngs_modulus = 1e6}};
-  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
-  Explicit run{Scene{mesh.nodes, Part{Hex8{}, material, mesh.hexahedra}}};
-  run.until(1e-3);
+  const ZeroNormalStress layer{Jelly{{.density = 1000, .youngs_modulus = 1e6}}};
+  return layer.density() > 0;
 }

@@ -19,7 +19,10 @@ template <class Hourglass = ViscousHourglass, class Spin = HughesWinget, class V
 struct Hex8 {
   static constexpr bool has_hourglass = HourglassControl<Hourglass>, has_rotation = has_hourglass && Rotation<Spin>,
                         has_viscosity = has_rotation && ShockViscosity<Viscosity>,
-                        has_instant = has_viscosity && MeasuringInstant<Instant>, sound = has_instant;
+                        has_instant = has_viscosity && MeasuringInstant<Instant>,
+                        knows_stiffness =
+                            !detail::nearly<detail::ControlStiffness, const Hourglass, const HourglassElement<double>>,
+                        sound = has_instant && knows_stiffness;
   static_assert(has_hourglass,
                 "strike: the first policy of Hex8 is its hourglass control: ViscousHourglass, StiffnessHourglass or "
                 "NoHourglass.");
@@ -29,6 +32,9 @@ struct Hex8 {
                 "strike: the third policy of Hex8 is its bulk viscosity: BulkViscosity or NoBulkViscosity.");
   static_assert(!has_viscosity || has_instant,
                 "strike: the fourth policy of Hex8 is the instant at which it measures: MidStep or EndStep.");
+  static_assert(!has_instant || knows_stiffness,
+                "strike: stiffness of an hourglass control is template <class T> T stiffness(const "
+                "HourglassElement<T>& element) const; this one has other arguments or another result.");
 
   [[no_unique_address]] Hourglass hourglass{};
   [[no_unique_address]] Spin rotation{};
@@ -169,7 +175,7 @@ struct Hex8 {
                                         .gradient_squared = stability.trace,
                                         .dt = T(dt)};
       const T r = dt * hourglass.critical_rate(element);
-      constexpr bool stiff = requires(const Hourglass h, const HourglassElement<T> e) { h.stiffness(e); };
+      constexpr bool stiff = detail::answers<detail::ControlStiffness, const Hourglass, const HourglassElement<T>>;
       resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * (stiff ? T(r * r) : max(r, T(r * r)));
     }
     if constexpr (requires { material.intact(state.material); }) resistance *= material.intact(state.material);

@@ -4,6 +4,7 @@
 
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/plate4_modes.hpp>
+#include <strike/protocol.hpp>
 #include <strike/tensor/rotation.hpp>
 
 // The policies of the elements. Each may be replaced by a user's own that fulfils its requirements; all functions are
@@ -46,6 +47,20 @@ concept HourglassControl =
       { control.work(e, q, q) } -> std::convertible_to<double>;
       { control.critical_rate(e) } -> std::convertible_to<double>;
     };
+
+namespace detail {
+struct ControlStiffness {
+  struct Decoy {
+    int stiffness;
+  };
+  template <class Model>
+  using Member = decltype(&Model::stiffness);
+  template <class T>
+  static auto call(const auto& control, const HourglassElement<T>& e) -> decltype(T(control.stiffness(e))) {
+    return control.stiffness(e);
+  }
+};
+}  // namespace detail
 
 /// Bulk viscosity: the pressure by which a solid element spreads a shock.
 ///

@@ -39,7 +39,7 @@ double density_of(const M& material) {
 /// Of a section also
 /// 7. `thickness()` [length] and `rotary_inertia()`, int rho z^2 dz [mass].
 /// Of a plane material in a Layer also
-/// 8. `normal_rate(state, rate, dt, change)`: d_zz of the step in which the stress changed by `change` [1/time].
+/// 8. `normal_rate(state, rate, dt, change)`: d_zz of the step dt > 0 in which the stress changed by `change` [1/time].
 /// Optional
 ///  9. `begin(state)`: the state at rest, where it is not zero; of solids also `begin(state, place)` beside it, at a
 ///     place [length].
@@ -51,7 +51,7 @@ double density_of(const M& material) {
 /// 15. `stresses(points, rates, dt)` of a plane material: stress(...) of an array of points at once.
 /// Laws (tests/conformance): at rest the stress does not grow (but where a viscoelastic one recovers); lane i of a pack
 /// gives what a double gives; a closed cycle of strain gives no energy back; rho c^2 + 2 viscosity/dt bounds the
-/// tangent; in a step without time, dt = 0, the stress stays.
+/// tangent; in a step without time, dt = 0, the remembered stress stays and a section's normal_rate is finite.
 /// Models: Elastic, Solid, Fluid, Explosive, Vumat (solids); PlaneStress, ZeroNormalStress (planes); Layered,
 /// Homogeneous (sections).
 template <class M, class T = double>
@@ -113,6 +113,8 @@ struct ViscosityNumber {
   };
   template <class Model>
   using Member = decltype(&Model::viscosity);
+  template <class Model>
+  using Specialised = decltype(&Model::template viscosity<double>);
   static auto call(const auto& material) -> decltype(double(material.viscosity())) { return material.viscosity(); }
 };
 template <class Tuple>
@@ -166,7 +168,7 @@ inline constexpr bool flawless = true;
 
 /// A piece that is composed of others, and has reported on them.
 template <class Piece>
-concept Composed = requires { Piece::sound; };
+concept Composed = requires { requires std::same_as<decltype(Piece::sound), const bool>; };
 template <Composed Piece>
 inline constexpr bool flawless<Piece> = Piece::sound;
 

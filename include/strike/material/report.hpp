@@ -10,8 +10,9 @@ namespace strike::detail {
 /// The number in which a law is tried where it is composed: that of a run without `in<T>`.
 using TrialLanes = Pack<double>;
 
-/// Instantiates a class that reports flaws, whose pointer is looked up for friends. A longer way tells the user more
-/// lines of ours, and to clang a class whose static_assert failed is incomplete, so that nothing may depend on it.
+/// Instantiates a class that reports flaws: the lookup of friends completes the class of the pointer. Other ways add
+/// lines to the error, and to clang a class whose static_assert failed is incomplete, so that no constant may depend on
+/// it.
 constexpr bool instantiates(const void*) { return true; }
 
 /// Instantiates a function that uses a law on lanes, so that errors in its formulas stand beside the law and not below

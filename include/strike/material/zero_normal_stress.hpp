@@ -25,6 +25,7 @@ constexpr bool is_solid_material() {
 ///   ZeroNormalStress{Solid{GruneisenEos{...}, VonMises{...}}};
 template <class S>
 struct ZeroNormalStress {
+  static_assert(instantiates(static_cast<detail::Report<S>*>(nullptr)));
   static constexpr bool is_solid = detail::is_solid_material<S>(), sound = is_solid;
   static_assert(is_solid || detail::is_reported<S>(),
                 "strike: ZeroNormalStress takes a material of solid elements, such as a Solid or Elastic.");
@@ -118,7 +119,7 @@ struct ZeroNormalStress {
   }
 
   template <class T>
-    requires requires(S s, State<T> state) { s.intact(inner(state)); }
+    requires requires(const S s, const typename Inner::template State<T> state) { s.intact(state); }
   T intact(const State<T>& state) const {
     return solid.intact(inner(state));
   }

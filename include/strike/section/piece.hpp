@@ -143,6 +143,7 @@ struct ShearReport {
 /// A layer of a plate: a plane material, its thickness, and the rule of integration over that.
 template <class M, class R = Simpson<5>>
 struct Layer {
+  static_assert(instantiates(static_cast<detail::Report<M>*>(nullptr)));
   static constexpr bool sound_material = detail::is_plane_material<M>(), sound_rule = ThicknessRule<R>,
                         sound_normal_rate = sound_material && detail::KnowsNormalRate<M>,
                         sound = sound_rule && sound_normal_rate;
