@@ -84,27 +84,27 @@ class FirstTouch {
   }
 
  private:
-  /// The box around a face is farther than the best face.
+  /// True if the box around a face is farther than the best face.
   bool is_farther(const Corners& X) const {
     const Eigen::Vector3d& x = all_.x[i_];
     const Eigen::Vector3d lower = X[0].cwiseMin(X[1]).cwiseMin(X[2].cwiseMin(X[3])),
                           upper = X[0].cwiseMax(X[1]).cwiseMax(X[2].cwiseMax(X[3]));
     return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm() >= best_.point.distance2;
   }
-  /// Farther from the plane of a face than the step carries the node; the warp of the face counts too.
+  /// True if the node is farther from the plane of a face than the step carries it; the warp of the face counts too.
   bool is_off_plane(const Corners& X) const {
     const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
     const double from_plane = (all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3])).dot(area),
                  warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
     return std::abs(from_plane) > (faces_.depth + reach_ + warp) * area.norm();
   }
-  /// A plate within a thickness of the node at the start, which is its own neighbourhood.
+  /// True of a plate within a thickness of the node at the start: its own neighbourhood.
   bool is_neighbourhood(Index f) const {
     const Target& target = faces_.target;
     return target.foot(f, target.corners(f, start_), start_[i_], start_).point.distance2 <
            1.02 * faces_.depth * faces_.depth;
   }
-  /// A node that comes to an edge or a corner is inside at the end of the step, rather than past it.
+  /// True if a node that comes to an edge or a corner is inside at the end of the step, rather than past it.
   bool will_be_inside(std::span<const Eigen::Vector3d> ahead, double side) const {
     Foot foot;
     faces_.take_nearest_around(

@@ -11,12 +11,12 @@
 
 namespace strike::detail {
 
-/// A face around may be closer although the foot is inside its own: in a dent, or deep below a crest.
+/// True if a face around may be closer although the foot is inside its own: in a dent, or deep below a crest.
 inline bool leans(const Foot& foot, const TouchedFaces& faces) {
   return foot.point.distance2 > 1e-4 * faces.size * faces.size;
 }
 
-/// Past the border of an open surface rather than through it.
+/// True if the node went past the border of an open surface rather than through it.
 inline bool slid_off(const Foot& foot, const TouchedFaces& faces, const ContactNodes& all) {
   const Corners X = faces.target.corners(foot.face, all.x);
   const double down = faces.face_normal(foot, X).dot(foot.point.away);

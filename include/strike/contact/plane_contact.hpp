@@ -61,14 +61,28 @@ class PlaneContact {
       const Vector x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
       const Number approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
-      const Index i = nodes.number(place);
       const double initial_depth = initial_depth_of(k);
       const Number depth = normal_.dot(point_ - x) - initial_depth;
-      const Number way = no_faster_out(initial_depth > 0 ? Number(excess - initial_depth) : excess, depth, approach,
-                                       step.dt, rounding(nodes, i));
+      const Index i = nodes.number(place);
+      // Out no faster than in, so that no impulse adds energy; depths of rounding are taken out in full.
+      const Number most = depth > rounding(nodes, i) ? Number(-2 * step.dt * approach) : excess;
+      const Number way = min(initial_depth > 0 ? Number(excess - initial_depth) : excess, most);
       if (!(way > 0)) continue;
-      const Vector given = stop(nodes, i, v, approach, Number(way / step.dt), step.kick(), ledger);
-      if (!(given.squaredNorm() > 0)) continue;
+      const Eigen::Vector3d away = nodes.free(i, normal_);
+      const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
+      if (!(inverse_effective_mass > 1e-6)) continue;
+      const double mass = nodes.mass(i);
+      const Number push = mass * (way / step.dt) / inverse_effective_mass;
+      const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
+      const Number drag = drag_per_velocity(push, Number(sliding.norm()), mass);
+      const Vector given = push * away - drag * sliding;
+      const Vector before = v - (step.kick() / mass) * nodes.f(i);
+      const Vector after = v + (1 / mass) * given;
+      nodes.set_velocity(i, after);
+      ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
+                                  static_cast<double>(-push * away.dot(after)));
+      ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
+                                   static_cast<double>(drag * sliding.dot(after)));
       touches_.push_back({i, given.template cast<double>(), static_cast<double>(depth)});
       impulse += touches_.back().impulse;
     }
@@ -143,38 +157,6 @@ class PlaneContact {
   static double rounding(const N& nodes, Index i) {
     return 4 * nodes.resolution(i);
   }
-  /// The way that the impulse gives the node in the step: to the plane, but out no faster than it came in, so that no
-  /// impulse adds energy.
-  template <class Number>
-  static Number no_faster_out(const Number& to_plane, const Number& depth, const Number& approach, double dt,
-                              double rounding) {
-    return depth > rounding ? min(to_plane, Number(-2 * dt * approach)) : to_plane;
-  }
-
-  /// Gives node i the velocity `change` along the normal, and friction; returns the impulse.
-  template <class N, class Ledger>
-  typename N::Vector stop(N& nodes, Index i, const typename N::Vector& v, const typename N::Number& approach,
-                          const typename N::Number& change, double kick, Ledger& ledger) const {
-    using Number = typename N::Number;
-    using Vector = typename N::Vector;
-    const Eigen::Vector3d away = nodes.free(i, normal_);
-    const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
-    if (!(inverse_effective_mass > 1e-6)) return Vector::Zero();
-    const double mass = nodes.mass(i);
-    const Number push = mass * change / inverse_effective_mass;
-    const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
-    const Number drag = drag_per_velocity(push, Number(sliding.norm()), mass);
-    const Vector given = push * away - drag * sliding;
-    const Vector before = v - (kick / mass) * nodes.f(i);
-    const Vector after = v + (1 / mass) * given;
-    nodes.set_velocity(i, after);
-    ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
-                                static_cast<double>(-push * away.dot(after)));
-    ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
-                                 static_cast<double>(drag * sliding.dot(after)));
-    return given;
-  }
-
   /// The impulse of friction over the speed of sliding [mass]: the mass of a node that sticks.
   template <class Number>
   Number drag_per_velocity(const Number& push, const Number& speed, double mass) const {
