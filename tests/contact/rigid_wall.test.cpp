@@ -128,7 +128,7 @@ TEST_CASE("both names give the same bits in runs of any numbers") {
       CHECK(run.template item<2>().impulse().z() > 1);
       return std::pair{run.positions(), run.energy().friction};
     };
-    const auto wall = struck(RigidWall{{0, 0, 0}, {0, 0, 1}, 0.2}),
+    const auto wall = struck(RigidWall{{0, 0, 0}, {0, 0, 1}, nodes, 0.2}),
                contact = struck(Contact{NodeToRigid{nodes, RigidPlane{{0, 0, 0}, {0, 0, 1}}}, Coulomb{0.2}});
     CHECK((wall == contact));
     CHECK(wall.second > 0);

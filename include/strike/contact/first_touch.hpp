@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,10 +60,10 @@ class FirstTouch {
   const Foot& best() const { return best_; }
   bool found() const { return best_.point.distance2 <= 1e30; }
 
-  /// The pair with the best of the faces, if the node is inside or will be at the end of the step.
-  std::optional<ContactPair> begin(Touch& touch, PositionsAhead& ahead) {
+  /// Appends the pair with the best of the faces, if the node is inside or will be at the end of the step.
+  void begin(Touch& touch, PositionsAhead& ahead, std::vector<ContactPair>& pairs) {
     touch.face = best_.face;
-    if (!found()) return std::nullopt;
+    if (!found()) return;
     const double side = faces_.side_of(best_);
     if (first_ <= 1 && best_.point.where != ClosestPoint::inside) {  // along the normal of the face, not from its edge
       const Corners X = faces_.target.corners(best_.face, all_.x);
@@ -72,15 +71,14 @@ class FirstTouch {
       best_.height = best_.normal.dot(best_.point.away);
     }
     const double gap = side * best_.height - faces_.depth;
-    ContactPair pair = faces_.pair(i_, best_, side, gap, touch);
+    const ContactPair pair = faces_.pair(i_, best_, side, gap, touch);
     if (gap > 0) {
-      if (gap + dt_ * pair.normal.dot(pair.velocity(all_)) >= 0) return std::nullopt;
-      if (first_ > 1 && best_.point.where != ClosestPoint::inside && !will_be_inside(ahead.of(all_, dt_), side))
-        return std::nullopt;
+      if (gap + dt_ * pair.normal.dot(pair.velocity(all_)) >= 0) return;
+      if (first_ > 1 && best_.point.where != ClosestPoint::inside && !will_be_inside(ahead.of(all_, dt_), side)) return;
     }
     touch = {.side = side, .initial_depth = std::max(-gap, 0.0), .face = best_.face};
-    pair.gap = std::max(gap, 0.0);
-    return pair;
+    pairs.push_back(pair);
+    pairs.back().gap = std::max(gap, 0.0);
   }
 
  private:
@@ -122,15 +120,16 @@ class FirstTouch {
   double first_ = 2;  // when the node meets the best face, as a fraction of the step; 2: it does not fly over faces
 };
 
-/// The first touch of node i of all faces near it; that of the step before comes first, for it spares most others.
+/// Appends the pair of a first touch with one of the faces near a node; the face of the step before is considered
+/// first, for it spares most others.
 template <bool self>
-std::optional<ContactPair> begin_touch(FirstTouch<self> candidates, Touch& touch, std::span<const Index> near,
-                                       PositionsAhead& ahead) {
+void begin_touch(FirstTouch<self> candidates, Touch& touch, std::span<const Index> near, PositionsAhead& ahead,
+                 std::vector<ContactPair>& pairs) {
   const Index last = touch.face;
   if (std::find(near.begin(), near.end(), last) != near.end()) candidates.consider(last);
   for (const Index f : near)
     if (f != last || !candidates.found()) candidates.consider(f);
-  return candidates.begin(touch, ahead);
+  candidates.begin(touch, ahead, pairs);
 }
 
 }  // namespace strike::detail

@@ -3,7 +3,6 @@
 #include <concepts>
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -27,18 +26,18 @@ template <Friction F>
 class PlaneContact {
  public:
   /// All nodes of the scene, or those given.
-  PlaneContact(const RigidPlane& plane, std::optional<std::vector<Index>> nodes, F friction)
+  PlaneContact(const RigidPlane& plane, F friction) : PlaneContact(plane, {}, friction) { everywhere_ = true; }
+  PlaneContact(const RigidPlane& plane, std::vector<Index> nodes, F friction)
       : point_(plane.point), normal_(plane.normal.normalized()), friction_(friction), nodes_(std::move(nodes)) {}
 
   /// Nodes that start inside keep their initial depth without force until they leave. Error: no such node.
   template <class N>
   void begin(const N& nodes) {
-    if (nodes_) {
-      for (const Index i : *nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
-    } else {
+    if (everywhere_) {
       places_.resize(nodes.size());
       std::iota(places_.begin(), places_.end(), Index{0});
     }
+    for (const Index i : nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const Eigen::Vector3d x = position(nodes, places_[k]);
       const double depth = normal_.dot(point_ - x);
@@ -177,7 +176,8 @@ class PlaneContact {
 
   Eigen::Vector3d point_, normal_;
   [[no_unique_address]] F friction_;
-  std::optional<std::vector<Index>> nodes_;
+  bool everywhere_ = false;
+  std::vector<Index> nodes_;           // numbers of those given
   std::vector<Index> places_;          // of the nodes in memory
   std::vector<InitialDepth> inside_;   // in ascending order of k
   std::vector<TouchingNode> touches_;  // of the last step
