@@ -51,14 +51,14 @@ struct Cloud {
 
 template <class A, class B>
 void check_same(const A& a, const B& b) {
-  CHECK(a.contact.force() == b.contact.force());
-  CHECK(a.contact.impulse() == b.contact.impulse());
+  CHECK((a.contact.force() == b.contact.force()));
+  CHECK((a.contact.impulse() == b.contact.impulse()));
   CHECK(a.contact.penetration() == b.contact.penetration());
-  CHECK(a.contact.forces(a.nodes.size()) == b.contact.forces(b.nodes.size()));
+  CHECK((a.contact.forces(a.nodes.size()) == b.contact.forces(b.nodes.size())));
   CHECK(a.contact.warning() == b.contact.warning());
   CHECK(a.ledger.contact.settled() == b.ledger.contact.settled());
   CHECK(a.ledger.friction.settled() == b.ledger.friction.settled());
-  for (std::size_t i = 0; i < a.nodes.size(); ++i) CHECK(a.nodes.v(i) == b.nodes.v(i));
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) CHECK((a.nodes.v(i) == b.nodes.v(i)));
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ TEST_CASE("D35: nodes that start behind a wall are reported and stay there witho
   for (std::size_t i = 0; i < run.nodes.size(); ++i) run.nodes.set_velocity(i, {0, 0, -0.1});
   for (int n = 0; n < 2000; ++n) run.step(1e-3);
   CHECK(run.nodes.x(3).z() == Approx(0).margin(1e-15));
-  CHECK(run.nodes.x(1).z() == Approx(-0.03).epsilon(1e-14));
+  CHECK(run.nodes.x(1).z() == Approx(-0.03).epsilon(1e-12));
   CHECK(run.contact.penetration() < 1e-15);
   CHECK(RigidWall({0, 0, 0}, {0, 0, 1}).warning().empty());
 }
@@ -128,9 +128,9 @@ TEST_CASE("both names give the same bits in runs of any numbers") {
       CHECK(run.template item<2>().impulse().z() > 1);
       return std::pair{run.positions(), run.energy().friction};
     };
-    const auto wall = struck(RigidWall{{0, 0, 0}, {0, 0, 1}, 0.2}),
+    const auto wall = struck(RigidWall{{0, 0, 0}, {0, 0, 1}, nodes, 0.2}),
                contact = struck(Contact{NodeToRigid{nodes, RigidPlane{{0, 0, 0}, {0, 0, 1}}}, Coulomb{0.2}});
-    CHECK(wall == contact);
+    CHECK((wall == contact));
     CHECK(wall.second > 0);
   };
   check(in<Pack<double>>);

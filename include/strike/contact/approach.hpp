@@ -49,11 +49,11 @@ class Approach {
     for (const Index s : near_.awake()) {
       Touch& touch = touches_[s];
       const Index i = nodes_[s];
-      const auto pair = touch.side != 0
-                            ? follow<self>(touch, i, faces_, all, step.dt)
-                            : begin_touch(FirstTouch<self>(i, faces_, all, step.dt, near_.step_reach(), start_), touch,
-                                          near_.of(s), ahead_);
-      if (pair) pairs.push_back(*pair);
+      if (touch.side != 0)
+        follow<self>(touch, i, faces_, all, step.dt, pairs);
+      else
+        begin_touch(FirstTouch<self>(i, faces_, all, step.dt, near_.step_reach(), start_), touch, near_.of(s), ahead_,
+                    pairs);
     }
   }
   /// Takes note that the impulses of the step have moved the nodes.

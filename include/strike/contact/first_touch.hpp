@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,10 +60,10 @@ class FirstTouch {
   const Foot& best() const { return best_; }
   bool found() const { return best_.point.distance2 <= 1e30; }
 
-  /// The pair with the best of the faces, if the node is inside or will be at the end of the step.
-  std::optional<ContactPair> begin(Touch& touch, PositionsAhead& ahead) {
+  /// Appends the pair with the best of the faces, if the node is inside or will be at the end of the step.
+  void begin(Touch& touch, PositionsAhead& ahead, std::vector<ContactPair>& pairs) {
     touch.face = best_.face;
-    if (!found()) return std::nullopt;
+    if (!found()) return;
     const double side = faces_.side_of(best_);
     if (first_ <= 1 && best_.point.where != ClosestPoint::inside) {  // along the normal of the face, not from its edge
       const Corners X = faces_.target.corners(best_.face, all_.x);
@@ -72,39 +71,38 @@ class FirstTouch {
       best_.height = best_.normal.dot(best_.point.away);
     }
     const double gap = side * best_.height - faces_.depth;
-    ContactPair pair = faces_.pair(i_, best_, side, gap, touch);
+    const ContactPair pair = faces_.pair(i_, best_, side, gap, touch);
     if (gap > 0) {
-      if (gap + dt_ * pair.normal.dot(pair.velocity(all_)) >= 0) return std::nullopt;
-      if (first_ > 1 && best_.point.where != ClosestPoint::inside && !will_be_inside(ahead.of(all_, dt_), side))
-        return std::nullopt;
+      if (gap + dt_ * pair.normal.dot(pair.velocity(all_)) >= 0) return;
+      if (first_ > 1 && best_.point.where != ClosestPoint::inside && !will_be_inside(ahead.of(all_, dt_), side)) return;
     }
     touch = {.side = side, .initial_depth = std::max(-gap, 0.0), .face = best_.face};
-    pair.gap = std::max(gap, 0.0);
-    return pair;
+    pairs.push_back(pair);
+    pairs.back().gap = std::max(gap, 0.0);
   }
 
  private:
-  /// The box around a face is farther than the best face.
+  /// True if the box around a face is farther than the best face.
   bool is_farther(const Corners& X) const {
     const Eigen::Vector3d& x = all_.x[i_];
     const Eigen::Vector3d lower = X[0].cwiseMin(X[1]).cwiseMin(X[2].cwiseMin(X[3])),
                           upper = X[0].cwiseMax(X[1]).cwiseMax(X[2].cwiseMax(X[3]));
     return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm() >= best_.point.distance2;
   }
-  /// Farther from the plane of a face than the step carries the node; the warp of the face counts too.
+  /// True if the node is farther from the plane of a face than the step carries it; the warp of the face counts too.
   bool is_off_plane(const Corners& X) const {
     const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
     const double from_plane = (all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3])).dot(area),
                  warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
     return std::abs(from_plane) > (faces_.depth + reach_ + warp) * area.norm();
   }
-  /// A plate within a thickness of the node at the start, which is its own neighbourhood.
+  /// True of a plate within a thickness of the node at the start: its own neighbourhood.
   bool is_neighbourhood(Index f) const {
     const Target& target = faces_.target;
     return target.foot(f, target.corners(f, start_), start_[i_], start_).point.distance2 <
            1.02 * faces_.depth * faces_.depth;
   }
-  /// A node that comes to an edge or a corner is inside at the end of the step, rather than past it.
+  /// True if a node that comes to an edge or a corner is inside at the end of the step, rather than past it.
   bool will_be_inside(std::span<const Eigen::Vector3d> ahead, double side) const {
     Foot foot;
     faces_.take_nearest_around(
@@ -122,15 +120,16 @@ class FirstTouch {
   double first_ = 2;  // when the node meets the best face, as a fraction of the step; 2: it does not fly over faces
 };
 
-/// The first touch of node i of all faces near it; that of the step before comes first, for it spares most others.
+/// Appends the pair of a first touch with one of the faces near a node; the face of the step before is considered
+/// first, for it spares most others.
 template <bool self>
-std::optional<ContactPair> begin_touch(FirstTouch<self> candidates, Touch& touch, std::span<const Index> near,
-                                       PositionsAhead& ahead) {
+void begin_touch(FirstTouch<self> candidates, Touch& touch, std::span<const Index> near, PositionsAhead& ahead,
+                 std::vector<ContactPair>& pairs) {
   const Index last = touch.face;
   if (std::find(near.begin(), near.end(), last) != near.end()) candidates.consider(last);
   for (const Index f : near)
     if (f != last || !candidates.found()) candidates.consider(f);
-  return candidates.begin(touch, ahead);
+  candidates.begin(touch, ahead, pairs);
 }
 
 }  // namespace strike::detail

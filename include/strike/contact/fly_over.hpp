@@ -8,8 +8,8 @@
 
 namespace strike::detail {
 
-/// The step carries node i by more than a quarter of the size of face f, so that the nearest face now need not be the
-/// one that it meets. `reach` bounds the way of any node in the step [length].
+/// True if the step carries node i by more than a quarter of the size of face f, so that the nearest face now need not
+/// be the one that it meets. `reach` bounds the way of any node in the step [length].
 inline bool flies_over(Index f, const TouchedFaces& faces, const ContactNodes& all, Index i, double dt, double reach) {
   if (4 * reach < faces.size) return false;
   const auto& c = faces.target.faces()[f];

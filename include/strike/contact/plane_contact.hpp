@@ -3,7 +3,6 @@
 #include <concepts>
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -27,18 +26,18 @@ template <Friction F>
 class PlaneContact {
  public:
   /// All nodes of the scene, or those given.
-  PlaneContact(const RigidPlane& plane, std::optional<std::vector<Index>> nodes, F friction)
+  PlaneContact(const RigidPlane& plane, F friction) : PlaneContact(plane, {}, friction) { everywhere_ = true; }
+  PlaneContact(const RigidPlane& plane, std::vector<Index> nodes, F friction)
       : point_(plane.point), normal_(plane.normal.normalized()), friction_(friction), nodes_(std::move(nodes)) {}
 
   /// Nodes that start inside keep their initial depth without force until they leave. Error: no such node.
   template <class N>
   void begin(const N& nodes) {
-    if (nodes_) {
-      for (const Index i : *nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
-    } else {
+    if (everywhere_) {
       places_.resize(nodes.size());
       std::iota(places_.begin(), places_.end(), Index{0});
     }
+    for (const Index i : nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const Eigen::Vector3d x = position(nodes, places_[k]);
       const double depth = normal_.dot(point_ - x);
@@ -61,14 +60,28 @@ class PlaneContact {
       const Vector x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
       const Number approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
-      const Index i = nodes.number(place);
       const double initial_depth = initial_depth_of(k);
       const Number depth = normal_.dot(point_ - x) - initial_depth;
-      const Number way = no_faster_out(initial_depth > 0 ? Number(excess - initial_depth) : excess, depth, approach,
-                                       step.dt, rounding(nodes, i));
+      const Index i = nodes.number(place);
+      // Out no faster than in, so that no impulse adds energy; depths of rounding are taken out in full.
+      const Number most = depth > rounding(nodes, i) ? Number(-2 * step.dt * approach) : excess;
+      const Number way = min(initial_depth > 0 ? Number(excess - initial_depth) : excess, most);
       if (!(way > 0)) continue;
-      const Vector given = stop(nodes, i, v, approach, Number(way / step.dt), step.kick(), ledger);
-      if (!(given.squaredNorm() > 0)) continue;
+      const Eigen::Vector3d away = nodes.free(i, normal_);
+      const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
+      if (!(inverse_effective_mass > 1e-6)) continue;
+      const double mass = nodes.mass(i);
+      const Number push = mass * (way / step.dt) / inverse_effective_mass;
+      const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
+      const Number drag = drag_per_velocity(push, Number(sliding.norm()), mass);
+      const Vector given = push * away - drag * sliding;
+      const Vector before = v - (step.kick() / mass) * nodes.f(i);
+      const Vector after = v + (1 / mass) * given;
+      nodes.set_velocity(i, after);
+      ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
+                                  static_cast<double>(-push * away.dot(after)));
+      ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
+                                   static_cast<double>(drag * sliding.dot(after)));
       touches_.push_back({i, given.template cast<double>(), static_cast<double>(depth)});
       impulse += touches_.back().impulse;
     }
@@ -143,38 +156,6 @@ class PlaneContact {
   static double rounding(const N& nodes, Index i) {
     return 4 * nodes.resolution(i);
   }
-  /// The way that the impulse gives the node in the step: to the plane, but out no faster than it came in, so that no
-  /// impulse adds energy.
-  template <class Number>
-  static Number no_faster_out(const Number& to_plane, const Number& depth, const Number& approach, double dt,
-                              double rounding) {
-    return depth > rounding ? min(to_plane, Number(-2 * dt * approach)) : to_plane;
-  }
-
-  /// Gives node i the velocity `change` along the normal, and friction; returns the impulse.
-  template <class N, class Ledger>
-  typename N::Vector stop(N& nodes, Index i, const typename N::Vector& v, const typename N::Number& approach,
-                          const typename N::Number& change, double kick, Ledger& ledger) const {
-    using Number = typename N::Number;
-    using Vector = typename N::Vector;
-    const Eigen::Vector3d away = nodes.free(i, normal_);
-    const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
-    if (!(inverse_effective_mass > 1e-6)) return Vector::Zero();
-    const double mass = nodes.mass(i);
-    const Number push = mass * change / inverse_effective_mass;
-    const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
-    const Number drag = drag_per_velocity(push, Number(sliding.norm()), mass);
-    const Vector given = push * away - drag * sliding;
-    const Vector before = v - (kick / mass) * nodes.f(i);
-    const Vector after = v + (1 / mass) * given;
-    nodes.set_velocity(i, after);
-    ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
-                                static_cast<double>(-push * away.dot(after)));
-    ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
-                                 static_cast<double>(drag * sliding.dot(after)));
-    return given;
-  }
-
   /// The impulse of friction over the speed of sliding [mass]: the mass of a node that sticks.
   template <class Number>
   Number drag_per_velocity(const Number& push, const Number& speed, double mass) const {
@@ -195,7 +176,8 @@ class PlaneContact {
 
   Eigen::Vector3d point_, normal_;
   [[no_unique_address]] F friction_;
-  std::optional<std::vector<Index>> nodes_;
+  bool everywhere_ = false;
+  std::vector<Index> nodes_;           // numbers of those given
   std::vector<Index> places_;          // of the nodes in memory
   std::vector<InitialDepth> inside_;   // in ascending order of k
   std::vector<TouchingNode> touches_;  // of the last step

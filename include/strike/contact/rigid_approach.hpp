@@ -55,7 +55,7 @@ class RigidApproach {
   }
 
  private:
-  /// The node meets the body on its way, along which it may always go as far as it is away (sphere tracing, Hart 1996).
+  /// True if the node meets the body on its way, followed by steps of the distance (sphere tracing, Hart 1996).
   bool meets(const Eigen::Vector3d& x, double gap, const Eigen::Vector3d& way) const {
     const double length = way.norm();
     double gone = 0;

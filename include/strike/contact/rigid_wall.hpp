@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,7 +17,7 @@ class RigidWall : public detail::PlaneContact<Coulomb> {
  public:
   /// The plane through `point`; `normal`, of any length, points to where nodes may be. `friction` is a coefficient.
   RigidWall(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double friction = 0)
-      : PlaneContact({point, normal}, std::nullopt, Coulomb{friction}) {}
+      : PlaneContact({point, normal}, Coulomb{friction}) {}
   RigidWall(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, std::vector<Index> nodes, double friction = 0)
       : PlaneContact({point, normal}, detail::ascending(std::move(nodes)), Coulomb{friction}) {}
 };

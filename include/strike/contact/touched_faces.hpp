@@ -23,7 +23,8 @@ struct TouchedFaces {
   Foot foot(Index f, const ContactNodes& all, Index i) const {
     return target.foot(f, target.corners(f, all.x), all.x[i], all.x);
   }
-  /// The foot of a point on the nearest of the faces around face f; `skips(other)` leaves faces out.
+  /// Replaces `best` by the foot of a point on the nearest of the faces around face f, if that is nearer;
+  /// `skips(other)` leaves faces out.
   template <class Skips>
   void take_nearest_around(Index f, const Eigen::Vector3d& at, std::span<const Eigen::Vector3d> x, const Skips& skips,
                            Foot& best) const {
@@ -40,9 +41,10 @@ struct TouchedFaces {
   }
   /// The side of a plate on which a foot's node is: 1 or -1; 1 of solids.
   double side_of(const Foot& foot) const { return two_sided && foot.height < 0 ? -1 : 1; }
-  /// On the side from which the faces are touched; plates have both.
+  /// True on the side from which the faces are touched; plates are touched from both.
   bool is_outside(const Foot& foot) const { return two_sided || foot.height >= -1e-6 * size; }
 
+  /// The pair of a node with the point of its foot.
   ContactPair pair(Index node, const Foot& foot, double side, double gap, Touch& touch) const {
     ContactPair pair;
     pair.node = node, pair.N = foot.point.N, pair.count = target.count(foot.face);
