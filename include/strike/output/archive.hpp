@@ -8,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -71,14 +72,18 @@ class Archive {
 
   template <class T>
   void item(T& value) {
-    if constexpr (requires { value.serialize(*this); })
+    if constexpr (std::is_arithmetic_v<T> || is_fixed_matrix<T>)
+      bytes(&value, sizeof value);
+    else if constexpr (requires { value.serialize(*this); })
       value.serialize(*this);
     else if constexpr (is_list<T>)
       list(value);
     else if constexpr (requires { std::span(value); })
       items(std::span(value));
     else if constexpr (requires { std::tuple_size<T>::value; })
-      std::apply([&](auto&... one) { (item(one), ...); }, value);
+      [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (item(std::get<i>(value)), ...);
+      }(std::make_index_sequence<std::tuple_size_v<T>>{});
     else if constexpr (is_plain<T>)
       bytes(&value, sizeof value);
     else

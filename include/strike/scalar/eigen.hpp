@@ -20,11 +20,11 @@ inline constexpr bool is_composite<Pack<T, N>> = true;
 template <class T, std::size_t N>
 inline constexpr bool is_composite<Dual<T, N>> = true;
 
-/// A number that is made of others: a Pack or a Dual.
+/// A number made of others: a Pack or a Dual.
 template <class T>
 concept Composite = is_composite<T>;
 
-/// A number that may stand beside S in Eigen's formulas: what S is made of, and every built-in number.
+/// A number that may stand beside S in a formula: the number that S is made of, or any built-in one.
 template <class U, class S>
 concept Constituent = std::is_arithmetic_v<U> || std::same_as<U, typename S::value_type>;
 
@@ -32,11 +32,18 @@ concept Constituent = std::is_arithmetic_v<U> || std::same_as<U, typename S::val
 template <class E>
 concept Expression = std::derived_from<E, Eigen::MatrixBase<E>>;
 
-/// Two expressions of which a number is composite, and whose product is more than one number.
+/// An expression in composite numbers.
+template <class E>
+concept CompositeExpression = Expression<E> && Composite<typename E::Scalar>;
+
+/// The product of two expressions is a matrix or a vector, not a number.
 template <class A, class B>
-concept CompositeFactors = Expression<A> && Expression<B> &&
-                           (Composite<typename A::Scalar> || Composite<typename B::Scalar>)&&!(
-                               int(A::RowsAtCompileTime) == 1 && int(B::ColsAtCompileTime) == 1);
+inline constexpr bool product_is_matrix = A::RowsAtCompileTime != 1 || B::ColsAtCompileTime != 1;
+
+/// Two expressions, one of them in composite numbers, whose product is a matrix or a vector.
+template <class A, class B>
+concept CompositeFactors =
+    Expression<A> && Expression<B> && product_is_matrix<A, B> && (CompositeExpression<A> || CompositeExpression<B>);
 
 /// Properties of a number S that Eigen reads; cost, in built-in operations, decides what it unrolls.
 template <class S, int cost>
