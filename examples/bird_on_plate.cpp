@@ -9,6 +9,7 @@
 #include <ctime>
 #include <numbers>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "support/options.hpp"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <strike/calibrate.hpp>
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "support/options.hpp"

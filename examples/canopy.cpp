@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "support/bird_strike.hpp"

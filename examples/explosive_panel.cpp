@@ -10,6 +10,7 @@
 #include <ctime>
 #include <numbers>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "support/options.hpp"

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 #include <strike/verify.hpp>
 

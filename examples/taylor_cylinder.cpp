@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "support/options.hpp"

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <vector>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "support/options.hpp"

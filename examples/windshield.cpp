@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "support/bird_strike.hpp"
@@ -117,7 +118,7 @@ int main(int count, char** arguments) {
       const auto layered = laminate(EffectiveShear{.length = length / 2});
       fly("layered", layered, flesh);
       fly("plain_shear", laminate(FiveSixthsShear{}), flesh);
-      fly("monolithic", Homogeneous{polycarbonate, layered.density() / polycarbonate.density}, flesh);
+      fly("monolithic", Homogeneous{polycarbonate, layered.density() / density_of(polycarbonate)}, flesh);
     };
     if (bird == "low")
       all(examples::Bird::low_strength());

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include <strike/material.hpp>
+#include <strike/section.hpp>
 
 namespace {
 

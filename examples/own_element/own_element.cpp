@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 #include "../support/options.hpp"

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
 // A bird that strikes a transparency: what the examples canopy and windshield share. Inches, seconds, pounds of force;

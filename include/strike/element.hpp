@@ -11,6 +11,7 @@
 #include <strike/element/plate4_modes.hpp>
 #include <strike/element/plate_hourglass.hpp>
 #include <strike/element/plate_warping.hpp>
+#include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
 #include <strike/element/tet4.hpp>

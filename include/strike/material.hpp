@@ -16,6 +16,7 @@
 #include <strike/material/material.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/point_values.hpp>
+#include <strike/material/report.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/cowper_symonds.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
@@ -24,6 +25,7 @@
 #include <strike/material/strength/power_hardening.hpp>
 #include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/report.hpp>
 #include <strike/material/strength/sensitive.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/von_mises.hpp>

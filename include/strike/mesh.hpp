@@ -4,6 +4,7 @@
 #include <strike/mesh/canopy.hpp>
 #include <strike/mesh/check.hpp>
 #include <strike/mesh/cylinder.hpp>
+#include <strike/mesh/disc.hpp>
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
@@ -12,6 +13,7 @@
 #include <strike/mesh/remaining.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>
+#include <strike/mesh/sphere.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/tetrahedra.hpp>
 #include <strike/mesh/transform.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 // The numbers that strike computes with.
+#include <strike/scalar/bisect.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/scalar/eigen.hpp>
 #include <strike/scalar/flush_denormals.hpp>

@@ -1,6 +1,7 @@
 #pragma once
+// Everything that a scene needs. Beside it stand <strike/draw.hpp>, <strike/input.hpp>, <strike/verify.hpp>,
+// <strike/calibrate.hpp>: included by the programs that use them.
 #include <strike/contact.hpp>
-#include <strike/draw.hpp>
 #include <strike/dynamics.hpp>
 #include <strike/element.hpp>
 #include <strike/load.hpp>

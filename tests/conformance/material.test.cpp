@@ -69,6 +69,43 @@ struct GrowsAtRest : Maxwell {
   }
 };
 
+struct WithoutPoint : Elastic {
+  bool intact() const { return true; }
+};
+struct OfState : Elastic {
+  template <class T>
+  T viscosity(const State<T>&) const {
+    return T(1.0);
+  }
+};
+struct WithNumber : Elastic {
+  int warning() const { return 0; }
+};
+struct GivesState : Elastic {
+  template <class T>
+  State<T> begin() const {
+    return {};
+  }
+};
+struct Fixed : Elastic {
+  template <class T>
+  struct State : Elastic::State<T> {
+    auto spatial_tensors() const { return std::tie(this->stress); }
+  };
+};
+template <class M>
+struct Wrapped : M {
+  std::string warning() const
+    requires requires(M m) { m.warning(); }
+  {
+    return M::warning();
+  }
+  template <class T>
+    requires requires(M m, typename M::template State<T> state) { m.intact(state); }
+  T intact(const typename M::template State<T>& state) const {
+    return M::intact(state);
+  }
+};
 struct WithoutModuli : Maxwell {
   void moduli() const {}
 };
@@ -84,6 +121,18 @@ static_assert(Material<Elastic> && SolidMaterial<Elastic>);
 static_assert(SolidMaterial<Solid<LinearEos, VonMises>> && SolidMaterial<Fluid<CubicEos>> && SolidMaterial<Maxwell>);
 static_assert(!Material<int> && !Material<std::string> && !Material<LinearEos> && !Material<VonMises>);
 static_assert(!Material<WithoutState> && !Material<WithoutModuli>);
+static_assert(Material<Maxwell, Pack<double>>);
+
+// Materials with something nearly right.
+using detail::MaterialFlaw;
+static_assert(detail::material_flaw<Maxwell>() == MaterialFlaw::none);
+static_assert(detail::material_flaw<Elastic>() == MaterialFlaw::none);
+static_assert(detail::material_flaw<WithoutPoint>() == MaterialFlaw::intact);
+static_assert(detail::material_flaw<OfState>() == MaterialFlaw::viscosity);
+static_assert(detail::material_flaw<WithNumber>() == MaterialFlaw::warning);
+static_assert(detail::material_flaw<GivesState>() == MaterialFlaw::begin);
+static_assert(detail::material_flaw<Fixed>() == MaterialFlaw::tensors);
+static_assert(detail::material_flaw<Wrapped<Maxwell>>() == MaterialFlaw::none);  // what its `requires` takes away
 
 // What is remembered: only what a law asks for. In numbers:
 template <class M>

@@ -2,6 +2,7 @@
 
 #include <strike/dynamics/patches.hpp>
 #include <strike/mesh/box.hpp>
+#include <strike/motion/nodes.hpp>
 
 #include "support/catch.hpp"
 

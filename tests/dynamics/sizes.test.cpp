@@ -91,7 +91,7 @@ static_assert(sizeof(Padded<double>) == 32 && sizeof(Padded<float>) == 16);
 
 // A thing in a scene takes its own bytes and no others.
 template <class... Things>
-using Run = Explicit<In<D8>, Serial, ElementStep, NoDamping, NoSubcycling, Part<Hex8<>, Metal>, Things...>;
+using Run = Explicit<Method<>, Part<Hex8<>, Metal>, Things...>;
 static_assert(sizeof(Run<RigidWall>) == sizeof(Run<>) + sizeof(RigidWall));
 static_assert(sizeof(Run<Symmetry, BodyForce<>>) == sizeof(Run<>) + sizeof(Symmetry) + sizeof(BodyForce<>));
 static_assert(sizeof(Run<InitialVelocity>) == sizeof(Run<>) + sizeof(InitialVelocity));

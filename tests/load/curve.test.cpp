@@ -16,6 +16,7 @@ TEST_CASE("a curve is straight between its points and level outside") {
 }
 
 TEST_CASE("a curve without points or with times that do not increase is refused") {
-  CHECK_THROWS_AS(Curve({}), Error);
-  CHECK_THROWS_AS(Curve({{1, 0}, {1, 2}}), Error);
+  CHECK_THROWS_WITH(Curve({}), "strike: a Curve has no points; give it at least one.");
+  CHECK_THROWS_WITH(Curve({{1, 0}, {1, 2}}),
+                    "strike: point 1 of a Curve is at time 1, not after the one before at 1; sort the points by time.");
 }

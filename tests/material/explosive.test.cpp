@@ -19,6 +19,7 @@ constexpr double D = tnt::detonation_velocity, p_CJ = tnt::pressure_CJ, width = 
 }  // namespace
 
 static_assert(SolidMaterial<Explosive<Jwl, DetonationPoint>>);
+static_assert(Ignition<DetonationPoint> && Ignition<DetonationPlane> && !Ignition<Burn> && !Ignition<double>);
 
 TEST_CASE("explosive: it burns when the front comes by, over the width of the front, and stays burnt") {
   const Explosive tnt{products, DetonationPoint{{1, 2, 3}, 1e-5}, {D, width}};

@@ -37,9 +37,9 @@ TEST_CASE("box grades cells geometrically") {
 
 TEST_CASE("box refuses what has no volume") {
   CHECK_THROWS_WITH(box({.size = {1, 0, 1}}),
-                    "A box of size (1, 0, 1) has no volume: give three positive edges in `.size`.");
+                    "strike: a box of size (1, 0, 1) has no volume; give three positive edges in `.size`.");
   CHECK_THROWS_WITH(box({.size = {1, 1, 1}, .cells = {1, 0, 1}}),
-                    "A box has no cells along y: give 1 or more in `.cells`.");
+                    "strike: a box has no cells along y; give 1 or more in `.cells`.");
   CHECK_THROWS_WITH(box({.size = {1, 1, 1}, .grading = {1, 1, -2}}),
-                    "Grading -2 is not a ratio of two cell lengths: give a positive number (last over first).");
+                    "strike: grading -2 is no ratio of two cell lengths; give a positive number, last over first.");
 }

@@ -47,6 +47,7 @@ TEST_CASE("a canopy without a section is refused") {
   CanopyShape flat = bubble;
   flat.height.front = 0;
   CHECK_THROWS_WITH(canopy(flat),
-                    "A canopy of length 80 with its top at 50 needs the top between front and back, and positive "
-                    "heights and widths; the least of these is 0.");
+                    "strike: a canopy of length 80 with its top at 50 has a distance, height or width of 0; put the "
+                    "top between front "
+                    "and back, and give positive heights and widths.");
 }

@@ -80,7 +80,7 @@ TEST_CASE("cylinder: layers are graded from the foot") {
 
 TEST_CASE("cylinder refuses what has no volume") {
   CHECK_THROWS_WITH(cylinder({.radius = 0, .length = 1}),
-                    "A cylinder of radius 0 and length 1 has no volume: give positive lengths.");
+                    "strike: a cylinder of radius 0 and length 1 has no volume; give positive lengths.");
   CHECK_THROWS_WITH(cylinder({.radius = 1, .length = 1, .cells = 0}),
-                    "A cylinder needs at least one of `.cells` and of `.layers`: ask for 1 or more.");
+                    "strike: a cylinder has no cells or no layers; give 1 or more in `.cells` and `.layers`.");
 }

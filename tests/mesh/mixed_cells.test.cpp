@@ -31,14 +31,16 @@ TEST_CASE("mixed cells: a mesh that is written as one list comes back") {
 
 TEST_CASE("mixed cells: what is no cell is refused in a sentence") {
   const auto refused = [](const std::vector<Index>& cell, const char* sentence) {
-    CHECK_THROWS_WITH(sorted({{0, 1, 2, 3}, cell}), ContainsSubstring("Cell 1 ") && ContainsSubstring(sentence));
+    CHECK_THROWS_WITH(sorted({{0, 1, 2, 3}, cell}),
+                      ContainsSubstring("strike: cell 1 ") && ContainsSubstring(sentence));
   };
-  refused({0, 1, 2, 3, 4}, "names five nodes, and the last is not the first: a tetrahedron is written a b c d a.");
+  refused({0, 1, 2, 3, 4}, "names five nodes, and the last is not the first; write a tetrahedron as a b c d a.");
   refused({0, 1, 2, 2, 0}, "is a tetrahedron that names node 2 twice");
   refused({0, 1, 2, 2, 4, 4, 4, 4}, "is a hexahedron that names node 2 twice");
   refused({0, 1, 0, 2}, "is a quadrilateral of fewer than three corners");
   refused({0, 0, 1, 1}, "is a quadrilateral of fewer than three corners");
-  refused({0, 1, 2}, "names 3 nodes: eight are a hexahedron, five a tetrahedron (a b c d a), four a quadrilateral.");
+  refused({0, 1, 2},
+          "names 3 nodes; give eight of a hexahedron, five of a tetrahedron (a b c d a) or four of a quadrilateral.");
   refused({}, "names 0 nodes");
-  refused({0, 1, 2, 10}, "names node 10, but there are 10 nodes: count them from 0.");
+  refused({0, 1, 2, 10}, "names node 10, but there are 10 nodes; count them from 0.");
 }

@@ -41,5 +41,5 @@ TEST_CASE("nearest_node is the nearest, the lowest of several") {
   CHECK(nearest_node(mesh.nodes, {2.1, 0.9, -3}) == 7);
   CHECK(nearest_node(mesh.nodes, {0.5, 0, 0}) == 0);
   CHECK_THROWS_WITH(nearest_node({}, {0, 0, 0}),
-                    "A mesh without nodes has no nearest node: build or read the mesh first.");
+                    "strike: a mesh without nodes has no nearest node; build or read the mesh first.");
 }

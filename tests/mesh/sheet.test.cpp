@@ -62,11 +62,12 @@ TEST_CASE("a sheet lies where its function says") {
 
 TEST_CASE("sheets refuse what has no area") {
   CHECK_THROWS_WITH(rectangle({.size = {1, 0}}),
-                    "A rectangle of size 1 x 0 has no area: give two positive edges in `.size`.");
+                    "strike: a rectangle of size 1 x 0 has no area; give two positive edges in `.size`.");
   CHECK_THROWS_WITH(rectangle({.size = {1, 1}, .cells = {0, 2}}),
-                    "A sheet of 0 x 2 cells is empty: give 1 or more along both sides.");
-  CHECK_THROWS_WITH(panel({.radius = 1, .length = 2, .arc = {1, 1}}),
-                    "A panel of radius 1, length 2 and arc 1 to 1 has no area: give positive ones, the arc ascending.");
+                    "strike: a sheet of 0 x 2 cells is empty; give 1 or more along both sides.");
+  CHECK_THROWS_WITH(
+      panel({.radius = 1, .length = 2, .arc = {1, 1}}),
+      "strike: a panel of radius 1, length 2 and arc 1 to 1 has no area; give positive ones, the arc ascending.");
   CHECK_THROWS_WITH(panel({.radius = std::numeric_limits<double>::infinity(), .length = 2, .arc = {0, 1}}),
-                    Catch::Matchers::ContainsSubstring("A panel of radius inf"));
+                    Catch::Matchers::ContainsSubstring("strike: a panel of radius inf"));
 }

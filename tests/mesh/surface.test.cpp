@@ -129,5 +129,5 @@ TEST_CASE("surface: a cell that is there twice beside its neighbour is an error"
   Mesh mesh = box({.size = {1, 1, 2}, .cells = {1, 1, 2}});
   mesh.hexahedra.push_back(mesh.hexahedra[1]);
   CHECK_THROWS_WITH(surface(mesh),
-                    "Cells 0 and 2 share a face (nodes 4, 5, 6, ...) with a third cell: remove the duplicate.");
+                    "strike: cells 0 and 2 share a face (nodes 4, 5, 6, ...) with a third cell; remove the duplicate.");
 }

@@ -11,8 +11,8 @@ using namespace strike;
 static_assert(Execution<Serial> && Execution<OpenMP> && !Execution<int>);
 
 // Policies are found in any order, and what is not told is as usual.
-static_assert(std::is_same_v<detail::ExecutionOf<>, Serial>);
-static_assert(std::is_same_v<detail::ExecutionOf<In<float>, OpenMP>, OpenMP>);
+static_assert(std::is_same_v<Method<>::Execution, Serial>);
+static_assert(std::is_same_v<Method<In<double>, OpenMP>::Execution, OpenMP>);
 static_assert(std::is_same_v<Method<>::Numbers, In<Pack<double>>>);
 static_assert(std::is_same_v<Method<OpenMP, In<Pack<float>, double>>::Numbers, In<Pack<float>, double>>);
 

@@ -17,6 +17,7 @@
 #include <strike/output/checkpoint.hpp>
 #include <strike/output/history.hpp>
 #include <strike/output/vtu.hpp>
+#include <strike/section.hpp>
 
 #include "scratch.hpp"
 #include "support/catch.hpp"

@@ -61,7 +61,7 @@ TEST_CASE("progress: at most four lines a second, the error asked for no more of
     Progress progress{{.end = 1, .show = Show::always, .stream = file.get()}};
     while (elapsed() < 1.1)
       for (int i = 0; i < 1000; ++i)
-        progress(0.5, ++calls, [&] {
+        progress.update(0.5, ++calls, 1e-3, [&] {
           ++asked;
           return 0.0;
         });

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <strike/section/piece.hpp>
 #include <strike/section/thickness_rule.hpp>
 
 #include "support/catch.hpp"

@@ -21,7 +21,7 @@
 
 namespace strike {
 
-/// Where a parameter may lie. What is positive is sought by its logarithm.
+/// Range of a parameter. A positive one is searched by its logarithm.
 enum class Range { positive, any };
 
 /// A parameter to be found.
@@ -46,7 +46,7 @@ struct Interval {
   bool contains(double value) const { return lower <= value && value <= upper; }
 };
 
-/// What the data say about N parameters.
+/// Estimate of N parameters from data.
 template <std::size_t N>
 struct Fit {
   std::array<Unknown, N> unknowns;

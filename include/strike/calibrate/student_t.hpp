@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include <strike/scalar/bisect.hpp>
+
 namespace strike {
 
 /// The probability that Student's t of some degrees of freedom lies between -t and t (Abramowitz and Stegun 1964,
@@ -20,15 +22,12 @@ inline double student_t_probability(double t, std::size_t degrees_of_freedom) {
   return odd ? 2 / std::numbers::pi * (theta + series) : series;
 }
 
-/// The t that Student's t of some degrees of freedom stays within with a probability below 1: 2.228 for 0.95 and 10.
+/// The t below which |Student's t| of some degrees of freedom stays with a probability below 1: 2.228 for 0.95 and 10.
 inline double student_t_quantile(double probability, std::size_t degrees_of_freedom) {
-  double lower = 0, upper = 1;
+  double upper = 1;
   while (student_t_probability(upper, degrees_of_freedom) < probability) upper *= 2;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (lower + upper);
-    (student_t_probability(middle, degrees_of_freedom) < probability ? lower : upper) = middle;
-  }
-  return 0.5 * (lower + upper);
+  const auto is_below = [&](double t) { return student_t_probability(t, degrees_of_freedom) < probability; };
+  return bisect(Bracket<double>{0, upper}, is_below, 60).middle();
 }
 
 }  // namespace strike

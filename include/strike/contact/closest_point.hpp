@@ -8,21 +8,21 @@
 
 namespace strike::detail {
 
-/// The positions of the corners of a face; of a triangle the last is not looked at.
+/// Positions of the corners of a face; the last of a triangle is ignored [length].
 using Corners = std::array<Eigen::Vector3d, 4>;
 
 /// The point of a face that is closest to a node: x_c = sum of N_I x_I.
 struct ClosestPoint {
   enum Where { inside, on_edge, at_corner };
 
-  std::array<double, 4> N{};                       ///< shares of the corners, none negative, of the sum 1
+  std::array<double, 4> N{};                       ///< shape functions of the corners, none negative, of sum 1
   Eigen::Vector3d away = Eigen::Vector3d::Zero();  ///< from x_c to the node [length]
   double distance2 = std::numeric_limits<double>::infinity();
   Where where = inside;
   unsigned which = 0;  ///< the edge, from corner `which` to the next, or the corner
 };
 
-/// On an edge between the corners i and j.
+/// Takes the closest point of the edge between the corners i and j if it is closer than the best.
 inline void approach_edge(ClosestPoint& best, const Corners& X, const Eigen::Vector3d& x, unsigned i, unsigned j) {
   const Eigen::Vector3d along = X[j] - X[i], from = x - X[i];
   const double length2 = along.squaredNorm();
@@ -35,7 +35,7 @@ inline void approach_edge(ClosestPoint& best, const Corners& X, const Eigen::Vec
   best.which = t < 1 ? i : j;
 }
 
-/// Of a plane triangle: its barycentric coordinates, or if these lie outside the closest of its edges.
+/// The closest point of a plane triangle by barycentric coordinates; outside of them that of its edges.
 inline ClosestPoint closest_on_triangle(const Corners& X, const Eigen::Vector3d& x) {
   const Eigen::Vector3d b = X[1] - X[0], c = X[2] - X[0], r = x - X[0], normal = cross<double>(b, c);
   const double area2 = normal.squaredNorm();
@@ -53,9 +53,9 @@ inline ClosestPoint closest_on_triangle(const Corners& X, const Eigen::Vector3d&
   return point;
 }
 
-/// Of a bilinear quadrilateral x(s, t) = m0 + s m1 + t m2 + s t m3, |s|, |t| <= 1: r = x(s, t) - x at right angles to
-/// both tangents, by Newton. Where a strong warp makes Newton's matrix indefinite, the step leaves the warp out (Gauss
-/// and Newton), which always descends.
+/// The closest point of a bilinear quadrilateral x(s, t) = m0 + s m1 + t m2 + s t m3, |s|, |t| <= 1: r = x(s, t) - x is
+/// orthogonal to both tangents, by Newton's method. Where a strong warp makes its matrix indefinite, the step leaves
+/// the warp out (Gauss-Newton), which always descends.
 inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vector3d& x) {
   const Eigen::Vector3d m0 = 0.25 * (X[0] + X[1] + X[2] + X[3]), m1 = 0.25 * (X[1] + X[2] - X[0] - X[3]),
                         m2 = 0.25 * (X[2] + X[3] - X[0] - X[1]), m3 = 0.25 * (X[0] - X[1] + X[2] - X[3]);
@@ -86,7 +86,7 @@ inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vect
   };
   descend_from(0, 0);
   const bool is_flat = m3.squaredNorm() < 1e-2 * std::min(m1.squaredNorm(), m2.squaredNorm());
-  if (!is_flat)  // a strong warp has several places where the distance is least around them
+  if (!is_flat)  // with a strong warp the distance has several local minima
     for (const double s : {-0.7, 0.7})
       for (const double t : {-0.7, 0.7}) descend_from(s, t);
   if (!is_found || !is_flat)
@@ -94,7 +94,7 @@ inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vect
   return point;
 }
 
-/// The unit normal of a face where the corners have the shares N.
+/// The unit normal of a face at the shape functions N.
 inline Eigen::Vector3d normal_at(const Corners& X, const std::array<double, 4>& N, bool is_triangle) {
   if (is_triangle) return cross<double>(X[1] - X[0], X[2] - X[0]).normalized();
   const Eigen::Vector3d along_s = (N[0] + N[1]) * (X[1] - X[0]) + (N[2] + N[3]) * (X[2] - X[3]);

@@ -2,52 +2,31 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
+#include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>
 #include <strike/contact/pairing.hpp>
+#include <strike/contact/plane_contact.hpp>
+#include <strike/contact/policies.hpp>
+#include <strike/contact/touch.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/pick.hpp>
-#include <strike/text.hpp>
+#include <strike/protocol.hpp>
 
 namespace strike {
 
-namespace detail {
-
-template <class P>
-concept Pairing = requires(const P pairing, const ContactNodes nodes) {
-  pairing.numbers();
-  pairing.first();
-  pairing.start(nodes);
-};
-
-/// What the compiler has been asked to take for a law.
-struct NoContactPolicy {};
-
-template <class T>
-struct IsContactLaw : std::bool_constant<ContactLaw<T>> {};
-template <class T>
-struct IsFriction : std::bool_constant<Friction<T>> {};
-
-template <class... Policies>
-using LawOf =
-    std::conditional_t<((ContactLaw<Policies> || Friction<Policies>)&&...),
-                       decltype(pick<IsContactLaw>(std::declval<Policies>()..., Kinematic{})), NoContactPolicy>;
-template <class... Policies>
-using FrictionOf = decltype(pick<IsFriction>(std::declval<Policies>()..., Frictionless{}));
-
-}  // namespace detail
-
-/// Contact of what a pairing pairs, with a law along the normals and with friction, in any order after it:
+/// Contact of the nodes and surfaces of a pairing, with a law along the normals and with friction, in any order after
+/// it:
 ///   Contact{NodeToSurface{bird_nodes, canopy}, Penalty{.fraction = 0.2}, Coulomb{0.3}}
 ///   Contact{TwoWay{one, other}}      Contact{SelfContact{surface}}      Contact{NodeToRigid{nodes, RigidSphere{c, R}}}
-/// Unless told otherwise it is Kinematic and Frictionless. Pair after pair in the order of the nodes' numbers.
+/// By default it is Kinematic and Frictionless. Pairs are served in the order of the nodes' numbers.
 template <class P, class Law, class F>
 class Contact {
  public:
@@ -59,21 +38,27 @@ class Contact {
     detail::check_law(law_);
   }
 
+  /// Errors: no such node; those of the pairing.
   template <class N>
   void begin(const N& nodes) {
-    std::vector<Eigen::Vector3d> points;
-    if constexpr (requires { pairing_.points(); }) points = pairing_.points();
-    all_.begin(nodes, pairing_.numbers(), points);
-    is_first_.assign(all_.size(), 0);
-    for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
-    meeting_.emplace(pairing_.start(all_));
-    meeting_->begin(all_, beginners_);
+    detail::refuse_dual_numbers<N>();
+    if constexpr (detail::is_plain<N>) {
+      std::vector<Eigen::Vector3d> points;
+      if constexpr (detail::answers<detail::Points, const P>) points = detail::Points::call(pairing_);
+      all_.begin(nodes, pairing_.numbers(), points);
+      is_first_.assign(all_.size(), 0);
+      for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
+      meeting_.emplace(pairing_.start(all_));
+      meeting_->begin(all_, inside_);
+    }
   }
 
   template <class N, class Ledger>
-  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger)
+    requires detail::is_plain<N>
+  {
     all_.gather(nodes);
-    all_.learn_what_is_held(nodes);
+    all_.find_held_directions(nodes);
     pairs_.clear();
     meeting_->find(all_, step, pairs_);
     all_.gather_forces(nodes, pairs_, step.kick());
@@ -81,34 +66,29 @@ class Contact {
     if constexpr (!std::is_same_v<F, Frictionless>)
       for (const ContactPair& pair : pairs_) rub(pair);
     meeting_->moved(all_, step.dt);
-    all_.give_back(nodes, ledger);
+    all_.scatter(nodes, ledger);
     step_ = step;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Index i : all_.touched())
-      if (is_first_[i]) sum += all_.pushed[i] + all_.dragged[i];
+      if (is_first_[i]) sum += all_.normal_impulse[i] + all_.friction_impulse[i];
     impulse_ += sum;
   }
 
-  /// The stable step together with elements that have the stable step `dt` alone.
+  /// The stable step together with elements whose own stable step is `dt`.
   double stable_step(double dt) const {
     double kappa = kappa_;
-    if constexpr (requires { law_.kappa(1.0); }) kappa = std::max(kappa, law_.kappa(meeting_->largest_inverse_mass()));
+    if constexpr (detail::answers<detail::Kappa, const Law, const double>)
+      kappa = std::max(kappa, detail::Kappa::call(law_, meeting_->largest_inverse_mass()));
     return stable_step_with_contact(dt, kappa);
   }
 
-  /// Takes the cells of a part that are not alive from the surfaces.
+  /// Removes the cells of a part that are not alive from the surfaces.
   void remove(std::size_t part, const std::vector<bool>& alive) {
-    if constexpr (requires { meeting_->remove(part, alive, all_); }) meeting_->remove(part, alive, all_);
+    detail::call_if_present<detail::Remove>(*meeting_, part, alive, all_);
   }
 
-  std::string warning() const {
-    if (beginners_.count == 0) return {};
-    return detail::joined({std::to_string(beginners_.count),
-                           " nodes begin inside what they may touch, the deepest, node ",
-                           std::to_string(beginners_.deepest), ", by ", detail::text(beginners_.depth),
-                           "; they stay so deep without force until they leave: move the meshes apart if that is not "
-                           "meant."});
-  }
+  /// One sentence on nodes that start inside; empty if there are none.
+  std::string warning() const { return inside_.warning(); }
 
   /// The force on the nodes of the first surface in the last step.
   Eigen::Vector3d force() const {
@@ -117,23 +97,23 @@ class Contact {
       if (is_first_[all_.local(i)]) sum += f;
     return sum;
   }
-  /// The impulse on them since the start.
+  /// The impulse on those nodes since the start [force time].
   const Eigen::Vector3d& impulse() const { return impulse_; }
-  /// The forces of the last step, on every node of the scene.
+  /// The forces of the last step on every node of the scene, whose number is `nodes`.
   std::vector<Eigen::Vector3d> forces(std::size_t nodes) const {
     std::vector<Eigen::Vector3d> all(nodes, Eigen::Vector3d::Zero());
     for (const auto& [i, f] : forces()) all.at(i) = f;
     return all;
   }
-  /// The largest depth in the last step, less what was given away at the start [length].
+  /// The largest depth in the last step, less the initial depth [length].
   double penetration() const {
     double most = 0;
     for (const ContactPair& pair : pairs_) most = std::max(most, -pair.gap);
     return most;
   }
-  /// What touched in the last step.
+  /// The pairs of the last step.
   const std::vector<ContactPair>& pairs() const { return pairs_; }
-  /// Who is paired, at work.
+  /// The pairing at work.
   const auto& meeting() const { return *meeting_; }
 
   template <class Archive>
@@ -142,7 +122,7 @@ class Contact {
   }
 
  private:
-  /// Against the velocity along the surface that the normal impulses have left.
+  /// Friction against the velocity along the surface that the normal impulses have left.
   void rub(const ContactPair& pair) {
     if (!(pair.impulse > 0)) return;
     const Eigen::Vector3d v = pair.velocity(all_);
@@ -158,44 +138,59 @@ class Contact {
   std::vector<std::pair<Index, Eigen::Vector3d>> forces() const {
     std::vector<std::pair<Index, Eigen::Vector3d>> of_nodes;
     for (const Index i : all_.touched())
-      of_nodes.push_back({all_.number(i), (all_.pushed[i] + all_.dragged[i]) / step_.kick()});
+      of_nodes.push_back({all_.number(i), (all_.normal_impulse[i] + all_.friction_impulse[i]) / step_.kick()});
     return of_nodes;
   }
-
-  using Meeting = decltype(std::declval<const P&>().start(std::declval<const ContactNodes&>()));
 
   P pairing_;
   Law law_;
   [[no_unique_address]] F friction_;
   ContactNodes all_;
-  std::optional<Meeting> meeting_;
+  std::optional<detail::MeetingOf<P>> meeting_;
   std::vector<ContactPair> pairs_;
-  std::vector<unsigned char> is_first_;
-  detail::Beginners beginners_;
+  std::vector<unsigned char> is_first_;  // of the nodes whose force is summed
+  detail::InitialPenetration inside_;
   Eigen::Vector3d impulse_ = Eigen::Vector3d::Zero();
   Step step_;
   double kappa_ = 0;
 };
 
 template <class P, class... Policies>
-Contact(P, const Policies&...) -> Contact<P, detail::LawOf<Policies...>, detail::FrictionOf<Policies...>>;
+Contact(P, const Policies&...) -> Contact<P, detail::LawOf<P, Policies...>, detail::FrictionOf<Policies...>>;
 
-/// What is no contact gets one sentence.
-template <class P, class Law, class F>
-  requires(!detail::Pairing<P> || std::is_same_v<Law, detail::NoContactPolicy>)
-class Contact<P, Law, F> {
+/// Kinematic contact with a rigid plane: that of a RigidWall, in runs of any numbers. It has no pairs() and no
+/// meeting().
+template <class F>
+class Contact<NodeToRigid<RigidPlane>, Kinematic, F> : public detail::PlaneContact<F> {
  public:
-  static constexpr bool pairs = detail::Pairing<P>, has_laws = !std::is_same_v<Law, detail::NoContactPolicy>;
-
-  explicit Contact(const P&, const auto&...) {
-    static_assert(pairs,
-                  "strike: a Contact begins with who may touch whom: NodeToSurface{nodes, surface}, TwoWay{surface, "
-                  "surface}, SelfContact{surface} or NodeToRigid{nodes, body}, where a body has a clearance(x).");
-    static_assert(!pairs || has_laws,
-                  "strike: after its pairing a Contact takes a normal law, such as Kinematic{} or Penalty{}, and "
-                  "friction, such as Coulomb{0.3}.");
+  template <class... Policies>
+  explicit Contact(const NodeToRigid<RigidPlane>& pairing, const Policies&... policies)
+      : detail::PlaneContact<F>(surface_of(pairing), detail::ascending(pairing.nodes),
+                                detail::pick<detail::IsFriction>(policies..., Frictionless{})) {
+    detail::check_law(detail::pick<detail::IsContactLaw>(policies..., Kinematic{}));
   }
+
+ private:
+  /// The plane of the nodes' plates that touch with their surfaces.
+  static RigidPlane surface_of(const NodeToRigid<RigidPlane>& pairing) {
+    const auto& [point, normal] = pairing.body;
+    return {point + 0.5 * pairing.thickness * normal.normalized(), normal};
+  }
+};
+
+/// Fallback for an ill-formed contact: one sentence on its flaw.
+template <class P, detail::ContactFlaw flaw, class F>
+class Contact<P, detail::FlawedLaw<flaw>, F> {
+ public:
+  explicit Contact(const P&, const auto&...) { detail::refuse_contact<flaw>(); }
   void begin(const auto&) {}
+  double stable_step(double dt) const { return dt; }
+  std::string warning() const { return {}; }
+  Eigen::Vector3d force() const { return {}; }
+  Eigen::Vector3d impulse() const { return {}; }
+  std::vector<Eigen::Vector3d> forces(std::size_t) const { return {}; }
+  double penetration() const { return 0; }
+  std::vector<ContactPair> pairs() const { return {}; }
 };
 
 }  // namespace strike

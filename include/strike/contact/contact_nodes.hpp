@@ -1,8 +1,9 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,18 +15,16 @@
 
 namespace strike {
 
-/// The nodes that take part in a contact, and the points of rigid surfaces, counted anew: nodes in the order of their
-/// numbers in the scene, so that nothing depends on how these lie in memory. Positions x at the time n and velocities v
-/// after it, which impulses change; directions that conditions hold do not yield.
+/// Nodes of a contact and points of rigid surfaces, in a numbering of their own: nodes in the order of their numbers in
+/// the scene, so that no result depends on their order in memory. Positions x at the time n and velocities v after it,
+/// which impulses change along the directions that no condition holds.
 class ContactNodes {
  public:
-  std::vector<Eigen::Vector3d> x, v;
-  /// What the forces of this step have done to the velocities, of nodes in pairs.
-  std::vector<Eigen::Vector3d> kicked;
-  /// The impulses of this step, along the normals and of friction.
-  std::vector<Eigen::Vector3d> pushed, dragged;
+  std::vector<Eigen::Vector3d> x, v;    ///< [length], [velocity]
+  std::vector<Eigen::Vector3d> kicked;  ///< change of v by this step's forces, of nodes in pairs
+  std::vector<Eigen::Vector3d> normal_impulse, friction_impulse;  ///< of this step [force time]
 
-  /// Those with these numbers, in ascending order, and points that never move.
+  /// Nodes by their numbers, in ascending order, and points that never move. Error: no such node.
   template <class N>
   void begin(const N& nodes, std::vector<Index> numbers, const std::vector<Eigen::Vector3d>& points) {
     if (!numbers.empty() && numbers.back() >= nodes.size())
@@ -36,39 +35,39 @@ class ContactNodes {
     x.resize(number_.size());
     x.insert(x.end(), points.begin(), points.end());
     v.assign(x.size(), Eigen::Vector3d::Zero());
-    kicked = pushed = dragged = v;
+    kicked = normal_impulse = friction_impulse = v;
     is_touched_.assign(x.size(), 0), held_.assign(x.size(), -1), inverse_mass_.assign(x.size(), 0.0);
     for (std::size_t i = 0; i < number_.size(); ++i) inverse_mass_[i] = 1 / nodes.mass(number_[i]);
     gather(nodes);
   }
 
-  /// Takes positions and velocities from the scene.
+  /// Copies positions and velocities from the scene and clears the impulses.
   template <class N>
   void gather(const N& nodes) {
     for (std::size_t i = 0; i < place_.size(); ++i) {
       x[i] = N::told(nodes.position()[place_[i]]);
       v[i] = N::told(nodes.velocity()[place_[i]]);
     }
-    for (const Index i : touched_) is_touched_[i] = 0, pushed[i].setZero(), dragged[i].setZero();
+    for (const Index i : touched_) is_touched_[i] = 0, normal_impulse[i].setZero(), friction_impulse[i].setZero();
     touched_.clear();
   }
 
-  /// Takes what the pairs need to know of the forces.
+  /// Computes `kicked` of the nodes in pairs, and 1/m* of the pairs.
   template <class N, class Pairs>
   void gather_forces(const N& nodes, Pairs& pairs, double kick) {
-    const auto of = [&](Index i) {
+    const auto gather_force = [&](Index i) {
       if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::told(nodes.force()[place_[i]]));
     };
     for (auto& pair : pairs) {
-      of(pair.node);
-      for (unsigned k = 0; k < pair.count; ++k) of(pair.corners[k]);
+      gather_force(pair.node);
+      for (unsigned k = 0; k < pair.count; ++k) gather_force(pair.corners[k]);
       pair.inverse_effective_mass = pair.inverse_effective_mass_along(*this, pair.normal);
     }
   }
 
-  /// Learns which directions of the nodes are held, once all things of the scene have begun.
+  /// Finds the directions of the nodes that conditions hold, once: at the first step, when all items have begun.
   template <class N>
-  void learn_what_is_held(const N& nodes) {
+  void find_held_directions(const N& nodes) {
     if (knows_held_) return;
     knows_held_ = true;
     for (std::size_t i = 0; i < number_.size(); ++i) {
@@ -80,15 +79,15 @@ class ContactNodes {
     }
   }
 
-  /// Gives the velocities back and books the work of the impulses.
+  /// Writes the velocities to the scene and books the work of the impulses.
   template <class N, class Ledger>
-  void give_back(N& nodes, Ledger& ledger) const {
+  void scatter(N& nodes, Ledger& ledger) const {
     double before[2] = {0, 0}, after[2] = {0, 0};
     for (const Index i : touched_) {
       nodes.set_velocity(number_[i], v[i]);
-      const Eigen::Vector3d v_before = v[i] - inverse_mass_[i] * (pushed[i] + dragged[i]) - kicked[i];
-      before[0] += pushed[i].dot(v_before), after[0] += pushed[i].dot(v[i]);
-      before[1] += dragged[i].dot(v_before), after[1] += dragged[i].dot(v[i]);
+      const Eigen::Vector3d v_before = v[i] - inverse_mass_[i] * (normal_impulse[i] + friction_impulse[i]) - kicked[i];
+      before[0] += normal_impulse[i].dot(v_before), after[0] += normal_impulse[i].dot(v[i]);
+      before[1] += friction_impulse[i].dot(v_before), after[1] += friction_impulse[i].dot(v[i]);
     }
     ledger.contact.book_impulse(-before[0], -after[0]);
     ledger.friction.book_impulse(-before[1], -after[1]);
@@ -98,34 +97,35 @@ class ContactNodes {
   Eigen::Vector3d free(Index i, const Eigen::Vector3d& a) const {
     return held_[i] < 0 ? a : Eigen::Vector3d(free_[static_cast<std::size_t>(held_[i])] * a);
   }
-  /// What a unit impulse along a unit vector changes of the velocity along it: 1/m of a free node [1/mass].
+  /// Inverse effective mass along a unit vector: the change of velocity per unit impulse, 1/m of a free node [1/mass].
   double inverse_mass_along(Index i, const Eigen::Vector3d& a) const {
     return held_[i] < 0 ? inverse_mass_[i] : inverse_mass_[i] * free(i, a).dot(a);
   }
   double inverse_mass(Index i) const { return inverse_mass_[i]; }
 
-  void push(Index i, const Eigen::Vector3d& impulse) { give(i, impulse, pushed); }
-  void drag(Index i, const Eigen::Vector3d& impulse) { give(i, impulse, dragged); }
+  /// Gives node i an impulse along a normal, or of friction [force time].
+  void push(Index i, const Eigen::Vector3d& impulse) { add(i, impulse, normal_impulse); }
+  void drag(Index i, const Eigen::Vector3d& impulse) { add(i, impulse, friction_impulse); }
 
-  /// Those that an impulse has reached in this step.
+  /// Nodes that have got an impulse in this step.
   const std::vector<Index>& touched() const { return touched_; }
   std::size_t size() const { return x.size(); }
-  /// The number in the scene.
+  /// Number of node i in the scene.
   Index number(Index i) const { return number_[i]; }
-  /// From a number in the scene; the number must be there.
+  /// Node of a number in the scene, which must be one of this contact's.
   Index local(Index number) const {
     return static_cast<Index>(std::lower_bound(number_.begin(), number_.end(), number) - number_.begin());
   }
-  /// Of the first point that never moves.
+  /// The first of the points that never move.
   Index first_point() const { return static_cast<Index>(number_.size()); }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(pushed, dragged, touched_, is_touched_);
+    archive(normal_impulse, friction_impulse, touched_, is_touched_);
   }
 
  private:
-  void give(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
+  void add(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
     if (!(inverse_mass_[i] > 0)) return;
     if (!is_touched_[i]) is_touched_[i] = 1, touched_.push_back(i);
     const Eigen::Vector3d given = free(i, impulse);
@@ -136,26 +136,42 @@ class ContactNodes {
   std::vector<Index> number_, place_, touched_;
   std::vector<unsigned char> is_touched_;
   std::vector<double> inverse_mass_;
-  std::vector<int> held_;  // which of free_, or -1
+  std::vector<int> held_;  // index into free_, or -1
   std::vector<Eigen::Matrix3d> free_;
   bool knows_held_ = false;
 };
 
-/// A node that touches: x_s - sum of N_I x_I = (gap less what was given away at the start) along the normal. Impulses J
-/// on the node and -N_I J on the corners along the line through both points keep momentum and its moment.
+namespace detail {
+
+/// The nodes of the scene compute in double or float, not in dual numbers.
+template <class N>
+inline constexpr bool is_plain = std::is_same_v<typename N::Number, double>;
+
+/// One sentence for a run of dual numbers, whose derivatives the contact would lose.
+template <class N>
+constexpr void refuse_dual_numbers() {
+  static_assert(is_plain<N>,
+                "strike: this contact computes in double; in a run of dual numbers take a RigidWall, or a NodeToRigid "
+                "with a RigidPlane and the Kinematic law.");
+}
+
+}  // namespace detail
+
+/// A node s that touches: x_s - sum of N_I x_I = (gap - initial depth) n. Impulses J n on the node and -N_I J n on the
+/// corners, along the line through both points, keep momentum and its moment.
 struct ContactPair {
   Index node = 0;
   std::array<Index, 4> corners{};
-  std::array<double, 4> N{};
-  unsigned count = 0;                                ///< how many corners; 0: something rigid that has none
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< towards where the node may be
-  double gap = 0;                                    ///< negative where it has entered [length]
-  double stiffness = 0;                              ///< what a law of springs gives it [force/length]
-  double* stored = nullptr;  ///< the energy that the law has taken while the node touches, less what it gave back
+  std::array<double, 4> N{};                         ///< shape functions of the corners
+  unsigned count = 0;                                ///< number of corners; 0 of a rigid body without corners
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit vector to the side of the node
+  double gap = 0;                                    ///< negative where the node has entered [length]
+  double stiffness = 0;                              ///< of the spring of a penalty law [force/length]
+  double* stored = nullptr;           ///< energy that the law has taken during this touch and not given back [energy]
   double inverse_effective_mass = 0;  ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
-  double impulse = 0;                 ///< what the law has given in this step [force time]
+  double impulse = 0;                 ///< normal impulse of this step [force time]
 
-  /// But for `stored`, which the next step gives it.
+  /// All members but `stored`, which the next step sets.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(node, corners, N, count, normal, gap, stiffness, inverse_effective_mass, impulse);
@@ -163,17 +179,17 @@ struct ContactPair {
 
   /// Velocity of the node relative to the point that it touches.
   Eigen::Vector3d velocity(const ContactNodes& nodes) const {
-    Eigen::Vector3d v = nodes.v[node];
-    for (unsigned i = 0; i < count; ++i) v -= N[i] * nodes.v[corners[i]];
-    return v;
+    Eigen::Vector3d relative = nodes.v[node];
+    for (unsigned i = 0; i < count; ++i) relative -= N[i] * nodes.v[corners[i]];
+    return relative;
   }
-  /// What the forces of this step have done to it.
+  /// Change of that velocity by the forces of this step.
   Eigen::Vector3d kicked(const ContactNodes& nodes) const {
-    Eigen::Vector3d v = nodes.kicked[node];
-    for (unsigned i = 0; i < count; ++i) v -= N[i] * nodes.kicked[corners[i]];
-    return v;
+    Eigen::Vector3d relative = nodes.kicked[node];
+    for (unsigned i = 0; i < count; ++i) relative -= N[i] * nodes.kicked[corners[i]];
+    return relative;
   }
-  /// 1/m* along a unit vector, 1/m_s + sum of N_I^2/m_I; 0 if it cannot be moved, for all its nodes are held.
+  /// 1/m* = 1/m_s + sum of N_I^2/m_I along a unit vector [1/mass]; 0 if conditions hold all its nodes.
   double inverse_effective_mass_along(const ContactNodes& nodes, const Eigen::Vector3d& a) const {
     double w = nodes.inverse_mass_along(node, a), free = nodes.inverse_mass(node);
     for (unsigned i = 0; i < count; ++i) {
@@ -182,11 +198,13 @@ struct ContactPair {
     }
     return w > 1e-6 * free ? w : 0;
   }
+  /// Gives the pair a normal impulse J [force time].
   void push(ContactNodes& nodes, double J) {
     impulse += J;
     nodes.push(node, J * normal);
     for (unsigned i = 0; i < count; ++i) nodes.push(corners[i], (-N[i] * J) * normal);
   }
+  /// Gives the pair an impulse of friction.
   void drag(ContactNodes& nodes, const Eigen::Vector3d& J) const {
     nodes.drag(node, J);
     for (unsigned i = 0; i < count; ++i) nodes.drag(corners[i], -N[i] * J);

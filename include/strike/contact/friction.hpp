@@ -1,26 +1,25 @@
 #pragma once
-#include <algorithm>
-#include <concepts>
+#include <strike/contact/concepts.hpp>
+#include <strike/scalar/scalar.hpp>
 
 namespace strike {
 
-/// The friction of a contact.
-/// A model has `impulse(normal, stops)`: the impulse against the sliding, from the normal one and from the one that
-/// would stop it [force time], between 0 and the latter.
-template <class F>
-concept Friction = std::copyable<F> && requires(const F friction) {
-  { friction.impulse(1.0, 1.0) } -> std::convertible_to<double>;
-};
-
-/// Sliding costs nothing, and neither does this.
+/// No friction, at no cost.
 struct Frictionless {
-  double impulse(double, double) const { return 0; }
+  template <class Number>
+  Number impulse(const Number&, const Number&) const {
+    return Number(0.0);
+  }
 };
 
-/// Coulomb: at most `coefficient` times the normal force; below that the node sticks, without creep.
+/// Coulomb's friction: at most `coefficient` times the normal force; below that the node sticks, without creep.
 struct Coulomb {
   double coefficient;
-  double impulse(double normal, double stops) const { return std::min(coefficient * normal, stops); }
+
+  template <class Number>
+  Number impulse(const Number& normal, const Number& stops) const {
+    return min(Number(coefficient * normal), stops);
+  }
 };
 
 }  // namespace strike

@@ -1,10 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <concepts>
-#include <limits>
+#include <string>
 #include <vector>
 
+#include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/error.hpp>
 #include <strike/motion/step.hpp>
@@ -12,20 +12,8 @@
 
 namespace strike {
 
-/// The normal law of a contact.
-/// A model has `press(pairs, nodes, step)`: gives the pairs impulses J >= 0 by `pair.push(nodes, J)` and returns the
-/// largest kappa, stiffness over mass [1/time^2], that it has set on a node (0: none), from which the step follows. If
-/// that may exceed what the step allows, also `kappa(inverse_effective_mass)`: what a first touch of a pair with 1/m*
-/// may set. Laws: it never pulls; a contact gives back no more energy than it took; what it does does not depend on
-/// threads.
-template <class L>
-concept ContactLaw =
-    std::copyable<L> && requires(const L law, std::vector<ContactPair> pairs, ContactNodes nodes, const Step step) {
-      { law.press(pairs, nodes, step) } -> std::convertible_to<double>;
-    };
-
-/// The stable step of elements that have the stable step `dt` alone, with a contact of kappa = k/m* on some of their
-/// nodes: dt sqrt(2/(1 + sqrt(1 + s^2))), s = kappa dt^2/2. Exact for the end of a uniform chain [derived]: the
+/// The stable step of elements whose own stable step is `dt`, with a contact of kappa = k/m* [1/time^2] on some of
+/// their nodes: dt sqrt(2/(1 + sqrt(1 + s^2))), s = kappa dt^2/2. Exact for the end of a uniform chain [derived]: the
 /// spectrum of the chain seen from there is the arcsine law on [0, W^2], W = 2/dt, so that its resolvent is
 /// 1/sqrt(w^2 (w^2 - W^2)), and the bound state above the spectrum has w^2 (w^2 - W^2) = kappa^2.
 inline double stable_step_with_contact(double dt, double kappa) {
@@ -34,12 +22,12 @@ inline double stable_step_with_contact(double dt, double kappa) {
   return dt * std::sqrt(2 / (1 + std::sqrt(1 + s * s)));
 }
 
-/// The impulse that brings the node to the surface at the end of the step: an inelastic impact of m*. It needs no
-/// stiffness and no smaller step, and nothing passes it at any speed. Pairs that share nodes are corrected one after
-/// the other, `sweeps` times, each with the velocities that those before have left. A node that is inside, since its
-/// neighbours moved its face, comes out no faster than it came in: no impulse adds energy.
+/// Impulses that bring nodes to the surface at the end of the step: inelastic impacts of m*, without a stiffness or a
+/// smaller step, at any speed. Pairs that share nodes are corrected one after the other, each with the velocities that
+/// the pairs before it have left. A node that is inside, because its neighbours moved its face, leaves no faster than
+/// it came in: no impulse adds energy.
 struct Kinematic {
-  int sweeps = 2;
+  int sweeps = 2;  ///< number of corrections of every pair in a step
 
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
     for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -53,20 +41,19 @@ struct Kinematic {
   }
 };
 
-/// The force of a spring k against the depth at the time n. Either k = fraction m*/dt^2, of which the sum over all
-/// pairs of a node never exceeds the fraction, so that the step stays nearly that of the elements: kappa_I dt^2 <=
-/// fraction with kappa_I = sum of k (1 + sum of N_J) N_I/m_I over the pairs of node I, a bound of the highest frequency
-/// (Gershgorin). Or a `stiffness` for every node [force/length], and the step becomes what that needs. No spring gives
-/// back more than it took.
+/// Springs k against the depth at the time n. Without a `stiffness`, k = fraction m*/dt^2, scaled so that kappa_I dt^2
+/// <= fraction with kappa_I = sum of k (1 + sum of N_J) N_I/m_I over the pairs of node I, a bound of the highest
+/// frequency (Gershgorin): the step stays nearly that of the elements. With one, the step becomes as small as it needs.
+/// No spring gives back more energy than it took.
 struct Penalty {
-  double fraction = 0.5;
-  double stiffness = 0;
+  double fraction = 0.5;  ///< of m*/dt^2, between 0 and 2
+  double stiffness = 0;   ///< of each pair [force/length]; 0: by the fraction
 
   double kappa(double inverse_effective_mass) const { return stiffness * inverse_effective_mass; }
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
     std::vector<double> sum(nodes.size(), 0.0);  // kappa_I
     const auto add = [&](const ContactPair& pair) {
-      double moved = 1;  // by the norm of the pair's row
+      double moved = 1;  // norm of the pair's row
       for (unsigned i = 0; i < pair.count; ++i)
         if (nodes.inverse_mass(pair.corners[i]) > 0) moved += pair.N[i];
       const double k = pair.stiffness * moved;
@@ -97,17 +84,17 @@ struct Penalty {
     for (ContactPair& pair : pairs)
       if (pair.gap < 0 && pair.inverse_effective_mass > 0) pair.push(nodes, pair.stiffness * -pair.gap * step.kick());
     limit_what_comes_back(pairs, before, nodes);
-    return stiffness > 0 ? most : allowed;  // the same in every step: one that changed would cost balance
+    return stiffness > 0 ? most : allowed;  // constant from step to step, for a changing step would cost balance
   }
 
  private:
-  /// No spring gives back more than it has stored: its impulse works along the mean of the velocities before and after
-  /// the step, J (v- + v+)/2. A spring that is sampled in steps would otherwise add up to kappa dt^2/4 of the energy of
-  /// an impact, for it is entered and left within a step, and chatter near the stable step.
+  /// Reduces the impulse of a spring that would give back more than it has stored, by its work along the mean of the
+  /// velocities before and after the step, J (v- + v+)/2. A spring sampled in steps, entered and left within one, would
+  /// otherwise add up to kappa dt^2/4 of the energy of an impact, and chatter near the stable step.
   static void limit_what_comes_back(std::vector<ContactPair>& pairs, const std::vector<double>& before,
                                     ContactNodes& nodes) {
     const auto mean = [&](std::size_t p) { return 0.5 * (before[p] + pairs[p].normal.dot(pairs[p].velocity(nodes))); };
-    for (int sweep = 0; sweep < 2; ++sweep)  // what one gives less, its neighbours work less
+    for (int sweep = 0; sweep < 2; ++sweep)  // a smaller impulse also reduces the work of its neighbours
       for (std::size_t p = 0; p < pairs.size(); ++p) {
         ContactPair& pair = pairs[p];
         const double J = pair.impulse, w = pair.inverse_effective_mass, v = mean(p);
@@ -121,15 +108,18 @@ struct Penalty {
 
 namespace detail {
 
+/// Error: numbers of a law that make no sense.
 inline void check_law(const Penalty& law) {
   if (!(law.fraction > 0 && law.fraction <= 2) || !(law.stiffness >= 0))
     throw Error(
         joined({"strike: a Penalty has the fraction ", text(law.fraction), " and the stiffness ", text(law.stiffness),
-                "; the fraction of m*/dt^2 is to be between 0 and 2, such as 0.5, and a "
-                "stiffness positive or left out."}));
+                "; give a fraction of m*/dt^2 between 0 and 2, such as 0.5, and a stiffness that is positive "
+                "or left out."}));
 }
 inline void check_law(const Kinematic& law) {
-  if (law.sweeps < 1) throw Error("strike: a Kinematic law makes no sweep; give 1 or more, such as 2.");
+  if (law.sweeps < 1)
+    throw Error(
+        joined({"strike: a Kinematic law makes ", std::to_string(law.sweeps), " sweeps; give 1 or more, such as 2."}));
 }
 inline void check_law(const auto&) {}
 

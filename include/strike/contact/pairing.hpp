@@ -2,18 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
-#include <limits>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/contact/approach.hpp>
+#include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/rigid.hpp>
+#include <strike/contact/rigid_approach.hpp>
 #include <strike/contact/surface.hpp>
 #include <strike/contact/target.hpp>
+#include <strike/contact/touch.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/surface.hpp>
@@ -23,16 +25,12 @@ namespace strike {
 
 namespace detail {
 
-inline std::vector<Index> ascending(std::vector<Index> a, const std::vector<Index>& b = {}) {
-  a.insert(a.end(), b.begin(), b.end());
-  std::sort(a.begin(), a.end());
-  a.erase(std::unique(a.begin(), a.end()), a.end());
-  return a;
-}
+/// Nodes of a contact from their numbers in the scene.
 inline std::vector<Index> to_local(std::vector<Index> numbers, const ContactNodes& all) {
   for (Index& i : numbers) i = all.local(i);
   return numbers;
 }
+/// Faces whose corners are numbers in the scene, as the target of a contact.
 inline Target target_of(const std::vector<Face>& faces, const ContactNodes& all) {
   std::vector<std::array<Index, 4>> corners;
   for (const Face& face : faces) {
@@ -42,13 +40,13 @@ inline Target target_of(const std::vector<Face>& faces, const ContactNodes& all)
   return {std::move(corners), all.size()};
 }
 
-/// Nodes on their way to surfaces, one or two ways.
+/// The meeting of nodes with surfaces, in one or two ways.
 template <bool self>
 class SurfaceMeeting {
  public:
   explicit SurfaceMeeting(std::vector<Surface> surfaces) : surfaces_(std::move(surfaces)) {}
 
-  /// The nodes `numbers`, or if there are none those of the surface `from`, touch the surface `target`.
+  /// Adds the way of the nodes `numbers`, or if there are none those of the surface `from`, to the surface `target`.
   void add(std::vector<Index> numbers, std::size_t from, std::size_t target, double thickness,
            const ContactNodes& all) {
     const Surface& other = surfaces_[target];
@@ -59,8 +57,8 @@ class SurfaceMeeting {
                                          0.5 * (thickness + other.thickness()), other.thickness() > 0));
   }
 
-  void begin(const ContactNodes& all, Beginners& beginners) {
-    for (auto& approach : approaches_) approach.begin(all, beginners);
+  void begin(const ContactNodes& all, InitialPenetration& inside) {
+    for (auto& approach : approaches_) approach.begin(all, inside);
   }
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs) {
     for (auto& approach : approaches_) approach.find(all, step, pairs);
@@ -79,9 +77,9 @@ class SurfaceMeeting {
     return sum;
   }
 
-  /// Whether a surface has lost cells. Nodes that come to its outside touch from now on, and those that have lost all
-  /// their cells still do.
-  bool remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {
+  /// Removes cells of a part from the surfaces. Nodes that come to the outside touch from now on, and nodes that have
+  /// lost all their cells still do.
+  void remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {
     std::vector<bool> changed;
     for (Surface& surface : surfaces_) changed.push_back(surface.remove(part, alive));
     for (std::size_t k = 0; k < ways_.size(); ++k) {
@@ -90,7 +88,6 @@ class SurfaceMeeting {
       if (!fixed) numbers = ascending(std::move(numbers), surface_nodes(surfaces_[from].faces()));
       approaches_[k].forget(to_local(numbers, all), target_of(surfaces_[target].faces(), all));
     }
-    return std::find(changed.begin(), changed.end(), true) != changed.end();
   }
 
   template <class Archive>
@@ -100,9 +97,9 @@ class SurfaceMeeting {
 
  private:
   struct Way {
-    std::vector<Index> nodes;
-    bool fixed;
-    std::size_t from, target;
+    std::vector<Index> nodes;  // numbers in the scene
+    bool fixed;                // given by the user, not those of a surface
+    std::size_t from, target;  // surfaces
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -117,15 +114,12 @@ class SurfaceMeeting {
 
 }  // namespace detail
 
-// Who may touch whom. A pairing knows its `numbers()`, the nodes that it is about, and its `first()`, those on which
-// forces are told; `start(nodes)` puts it to work.
-
-/// Nodes that may touch a surface: those of the finer or softer of two bodies, or of a bird. `thickness` is that of the
-/// plate that they belong to, if any [length].
+/// The pairing of nodes with a surface; give the nodes of the finer or softer of two bodies, such as a bird. Error: no
+/// nodes.
 struct NodeToSurface {
   std::vector<Index> nodes;
   Surface surface;
-  double thickness = 0;
+  double thickness = 0;  ///< of the plate that the nodes belong to, if any [length]
 
   std::vector<Index> numbers() const { return detail::ascending(nodes, surface.nodes()); }
   const std::vector<Index>& first() const { return nodes; }
@@ -137,7 +131,7 @@ struct NodeToSurface {
   }
 };
 
-/// Two surfaces each of whose nodes may touch the other: the nodes of the first go before those of the second.
+/// The pairing of two surfaces, the nodes of each with the faces of the other; the nodes of the first come first.
 struct TwoWay {
   Surface first_surface, second_surface;
 
@@ -151,8 +145,8 @@ struct TwoWay {
   }
 };
 
-/// A surface that may touch itself: one that folds, or several bodies in one. What of a plate lies within a thickness
-/// of a node at the start never touches it.
+/// The pairing of a surface with itself: one that folds, or that of several bodies. Plates within a thickness of a node
+/// at the start are its neighbourhood, which it never touches.
 struct SelfContact {
   Surface surface;
 
@@ -165,7 +159,8 @@ struct SelfContact {
   }
 };
 
-/// Nodes that may touch a rigid body: a RigidPlane, RigidSphere, RigidCylinder, RigidSurface or your own RigidBody.
+/// The pairing of nodes with a rigid body: a RigidPlane, RigidSphere, RigidCylinder, RigidSurface or your own
+/// RigidBody. Errors of a RigidSurface: no faces; a face names a point that is not there.
 template <class Body>
 struct NodeToRigid {
   std::vector<Index> nodes;
@@ -195,12 +190,13 @@ struct NodeToRigid<RigidSurface> {
       faces.push_back(face.nodes);
       for (Index& i : faces.back()) {
         if (i >= body.points.size())
-          throw Error(detail::joined({"strike: a face of a RigidSurface names point ", std::to_string(i),
-                                      ", but there are ", std::to_string(body.points.size()), "; count them from 0."}));
+          throw Error(
+              detail::joined({"strike: a face of a RigidSurface names point ", std::to_string(i), ", but there are ",
+                              std::to_string(body.points.size()), " points; count them from 0."}));
         i += all.first_point();
       }
     }
-    if (faces.empty()) throw Error("strike: a RigidSurface has no faces; give it some.");
+    if (faces.empty()) throw Error("strike: a RigidSurface has no faces; give it some, such as surface(mesh).");
     return {detail::to_local(numbers(), all), {std::move(faces), all.size()}, 0.5 * thickness, false};
   }
 };

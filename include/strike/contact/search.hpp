@@ -12,15 +12,15 @@
 
 namespace strike::detail {
 
-/// Which nodes are within a reach of which faces: the nodes are sorted into buckets of the size of the faces, and each
-/// face looks into those that the box around it, larger by the reach, overlaps. Only buckets that hold nodes take
-/// memory: they are found by their hash. The work is linear in nodes and faces.
+/// The faces within a reach of each node. Nodes are sorted into buckets of the size of the faces, and each face looks
+/// into those that its box, enlarged by the reach, overlaps. Buckets are found by their hash, so that empty ones take
+/// no memory. The work is linear in nodes and faces.
 class BucketSearch {
  public:
   using Corners = std::array<Index, 4>;
 
-  /// Afterwards `near(s)` are the faces whose box, larger by `reach`, holds x[nodes[s]], in ascending order. If the
-  /// boxes around all nodes and all faces are farther apart than the reach, returns by how much; otherwise 0.
+  /// Finds, for `near(s)`, the faces whose box, enlarged by `reach` [length], holds x[nodes[s]]. Returns by how much
+  /// the boxes around all nodes and all faces are farther apart than the reach; 0 if they are not.
   double sort(std::span<const Index> nodes, std::span<const Corners> faces, std::span<const Eigen::Vector3d> x,
               double reach) {
     begin_.assign(nodes.size() + 1, 0);
@@ -58,11 +58,11 @@ class BucketSearch {
     return 0;
   }
 
+  /// The faces near nodes[s], in ascending order.
   std::span<const Index> near(std::size_t s) const { return {&near_[0] + begin_[s], begin_[s + 1] - begin_[s]}; }
-  /// The nodes that have a face near, by their places in the list that was sorted.
+  /// The places in the list of the nodes that have a face near.
   const std::vector<Index>& awake() const { return awake_; }
 
-  /// What the last `sort` found.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(begin_, near_, awake_);

@@ -14,31 +14,31 @@
 
 namespace strike {
 
-/// Faces that may be touched. Without thickness they bound a solid and are touched from outside, the side from which
-/// their corners run counter-clockwise; with one they are the middle of a plate, which is touched from both sides half
-/// a thickness away.
+/// Faces of a contact. Without a thickness they bound a solid and are touched from outside, the side from which their
+/// corners run counter-clockwise; with one they are the middle surface of a plate, touched from both sides half a
+/// thickness away.
 ///   Surface{surface(mesh)}                 Surface{quadrilateral_surface(mesh.quadrilaterals), 2e-3}
-///   solid_surface(mesh.hexahedra, 0)       plate_surface(mesh.quadrilaterals, 2e-3, 1)   // of parts that may lose
-///   cells
+/// Of a part that may lose cells, by its place among the parts:
+///   solid_surface(mesh.hexahedra, 0)       plate_surface(mesh.quadrilaterals, 2e-3, 1)
 class Surface {
  public:
-  /// Errors: no face; a negative thickness [length].
+  /// `thickness` of the plate [length]. Errors: no face; a negative thickness.
   explicit Surface(std::vector<Face> faces, double thickness = 0) : faces_(std::move(faces)), thickness_(thickness) {
     if (faces_.empty())
       throw Error("strike: a Surface has no faces; give it some, such as surface(mesh) or solid_surface(cells, part).");
     if (!(thickness >= 0))
       throw Error(detail::joined({"strike: a Surface has the thickness ", detail::text(thickness),
-                                  "; give that of the plate, or none if it bounds a solid."}));
+                                  "; give that of the plate, or none if the faces bound a solid."}));
   }
 
   const std::vector<Face>& faces() const { return faces_; }
   double thickness() const { return thickness_; }
 
-  /// The nodes that are on it or can come to be, in ascending order.
+  /// Numbers of the nodes that are on the surface or may become so when cells are removed, in ascending order.
   std::vector<Index> nodes() const { return surface_nodes(of_cells_.empty() ? faces_ : of_cells_); }
 
-  /// Takes the cells of a part away that are not alive, and with them their faces; what they covered is outside
-  /// from now on. Whether anything changed. Linear in the cells of the part. Error: fewer flags than cells.
+  /// Removes the cells of a part that are not alive and their faces; the faces that they covered are outside from now
+  /// on. Returns true if the surface has changed. Linear in the cells of the part. Error: fewer flags than cells.
   bool remove(std::size_t part, const std::vector<bool>& alive) {
     if (part_ != part) return false;
     const auto is_gone = [&](const Face& face) {
@@ -65,7 +65,7 @@ class Surface {
   friend Surface solid_surface(const Cells<4>&, std::size_t);
   friend Surface plate_surface(const Cells<4>&, double, std::size_t);
 
-  /// All faces of all cells, those inside too.
+  /// `of_cells` are all faces of all cells, inner ones too.
   Surface(std::vector<Face> faces, std::vector<Face> of_cells, double thickness, std::size_t part)
       : Surface(std::move(faces), thickness) {
     of_cells_ = std::move(of_cells), part_ = part;
@@ -82,13 +82,13 @@ inline Surface solid_surface(const Cells<8>& cells, std::size_t part) {
   detail::append_faces(all, cells, detail::hexahedron_faces, 0);
   return Surface(detail::unshared(all), all, 0, part);
 }
-/// The same of tetrahedra.
+/// The outside of the tetrahedra of a part.
 inline Surface solid_surface(const Cells<4>& cells, std::size_t part) {
   std::vector<Face> all;
   detail::append_faces(all, cells, detail::tetrahedron_faces, 0);
   return Surface(detail::unshared(all), all, 0, part);
 }
-/// The plates of a part, `thickness` in all [length].
+/// The middle surface of the plates of a part, of that thickness [length].
 inline Surface plate_surface(const Cells<4>& cells, double thickness, std::size_t part) {
   return Surface(quadrilateral_surface(cells), quadrilateral_surface(cells), thickness, part);
 }

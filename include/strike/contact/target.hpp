@@ -17,22 +17,22 @@
 
 namespace strike::detail {
 
-/// Where a node stands over a face.
+/// The foot of a node on a face.
 struct Foot {
   Index face = 0;
   ClosestPoint point;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< from the closest point, to the outside
-  double height = 0;                                 ///< the distance, negative inside [length]
-  bool on_border = false;                            ///< on an edge that no other face shares
+  double height = 0;                                 ///< distance, negative inside [length]
+  bool on_border = false;                            ///< at an edge that no other face shares
 };
 
-/// Faces that are touched, with their neighbours.
+/// Faces that nodes may touch, with their neighbours.
 class Target {
  public:
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   Target() = default;
-  /// Corners of the faces in the numbers of n ContactNodes; a triangle repeats its third.
+  /// Faces by their corners among n ContactNodes; a triangle repeats its third corner.
   Target(std::vector<std::array<Index, 4>> faces, std::size_t n) : faces_(std::move(faces)), first_(n + 1, 0) {
     const auto each_corner = [&](auto f) {
       for (std::size_t k = 0; k < faces_.size(); ++k)
@@ -53,10 +53,10 @@ class Target {
   bool has(Index face, Index node) const {
     return std::find(faces_[face].begin(), faces_[face].end(), node) != faces_[face].end();
   }
-  /// Those that have this corner.
+  /// The faces that have a node as a corner.
   std::span<const Index> at(Index node) const { return {at_.data() + first_[node], first_[node + 1] - first_[node]}; }
 
-  /// The mean of the faces' diagonals [length].
+  /// Mean diagonal of the faces [length].
   double mean_size(std::span<const Eigen::Vector3d> x) const {
     double sum = 0;
     for (const auto& face : faces_) sum += (x[face[2]] - x[face[0]]).norm() / static_cast<double>(faces_.size());
@@ -66,6 +66,7 @@ class Target {
     const auto& c = faces_[face];
     return {x[c[0]], x[c[1]], x[c[2]], x[c[3]]};
   }
+  /// Positions after a time t at velocities v.
   Corners corners(Index face, std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> v, double t) const {
     Corners X = corners(face, x);
     for (unsigned i = 0; i < 4; ++i) X[i] += t * v[faces_[face][i]];
@@ -78,8 +79,8 @@ class Target {
   Foot foot(Index face, const Corners& X, const Eigen::Vector3d& at, std::span<const Eigen::Vector3d> x) const {
     return foot(face, X, closest(face, X, at), x);
   }
-  /// The foot of a point on a face. Over an edge or a corner the side is that of the normals around it, weighted by
-  /// their angles: then it is right on every closed surface (Baerentzen and Aanaes 2005).
+  /// The foot of a node on a face. Over an edge or a corner the side is given by the mean of the normals around it,
+  /// weighted by their angles, which is right on every closed surface (Baerentzen and Aanaes 2005).
   Foot foot(Index face, const Corners& X, const ClosestPoint& point, std::span<const Eigen::Vector3d> x) const {
     Foot foot;
     foot.face = face, foot.point = point;
@@ -104,6 +105,7 @@ class Target {
   }
 
  private:
+  /// The face beyond edge i of face k.
   Index find_across(std::size_t k, unsigned i) const {
     const Index a = faces_[k][i], b = faces_[k][(i + 1) % count(k)];
     for (const Index other : at(a))
@@ -111,6 +113,7 @@ class Target {
     return none;
   }
 
+  /// A vector to the outside at an edge or a corner; sets `on_border`.
   Eigen::Vector3d outside_of(Foot& foot, const Corners& X, std::span<const Eigen::Vector3d> x) const {
     const auto& point = foot.point;
     if (point.where == ClosestPoint::on_edge) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/pairing.hpp>
 #include <strike/contact/search.hpp>
@@ -20,12 +21,13 @@
 
 namespace strike {
 
-/// Nodes that stay where they begin on a surface: meshes that need not fit. Impulses that keep momentum, and where
-/// nodes lie on the faces its moment, take the velocity of every node relative to its point; they cost no stable step.
-/// Node after node, again and again until all fit.
+/// Nodes tied to their places on a surface: a joint of meshes that need not fit. Impulses remove the velocity of every
+/// node relative to its point, node after node, until all fit; they keep momentum, and its moment where nodes lie on
+/// the faces, and need no smaller step.
 class Tied {
  public:
-  /// Error, at the start: a node farther from the surface than `tolerance`, if 0 a tenth of the mean face [length].
+  /// `tolerance` is the largest distance of a node from the surface [length]; 0: a tenth of the mean diagonal of a
+  /// face. Errors: no nodes; at the start, a node farther from the surface, or one that belongs to it.
   Tied(std::vector<Index> nodes, Surface surface, double tolerance = 0)
       : nodes_(detail::ascending(std::move(nodes))), surface_(std::move(surface)), tolerance_(tolerance) {
     if (nodes_.empty()) throw Error("strike: a Tied has no nodes; give it some, such as surface_nodes(faces).");
@@ -33,42 +35,19 @@ class Tied {
 
   template <class N>
   void begin(const N& nodes) {
-    all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {});
-    target_ = detail::target_of(surface_.faces(), all_);
-    const std::vector<Index> local = detail::to_local(nodes_, all_);
-    if (!(tolerance_ > 0)) tolerance_ = 0.1 * target_.mean_size(all_.x);
-    detail::BucketSearch search;
-    search.sort(local, target_.faces(), all_.x, tolerance_);
-    for (std::size_t s = 0; s < local.size(); ++s) {
-      detail::Foot best;
-      for (const Index f : search.near(s)) {
-        if (target_.has(f, local[s]))
-          throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]),
-                                      " is tied to a surface that it "
-                                      "belongs to; take it out of the tied nodes."}));
-        const detail::Foot foot = target_.foot(f, target_.corners(f, all_.x), all_.x[local[s]], all_.x);
-        if (foot.point.distance2 < best.point.distance2) best = foot;
-      }
-      if (!(best.point.distance2 <= tolerance_ * tolerance_))
-        throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[local[s]]),
-                                    " is farther than ", detail::text(tolerance_),
-                                    " from the surface that it is to be tied to; move it there or give Tied a larger "
-                                    "tolerance."}));
-      ContactPair pair;
-      pair.node = local[s], pair.corners = target_.faces()[best.face], pair.N = best.point.N;
-      pair.count = target_.count(best.face);
-      const Eigen::Vector3d normal = detail::normal_at(target_.corners(best.face, all_.x), pair.N, pair.count == 3);
-      pair.gap = normal.dot(best.point.away);
-      if (std::abs(pair.gap) < 1e-9 * tolerance_) pair.gap = 0;
-      ties_.push_back(pair);
-      faces_.push_back(best.face);
+    detail::refuse_dual_numbers<N>();
+    if constexpr (detail::is_plain<N>) {
+      all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {});
+      tie();
     }
   }
 
   template <class N, class Ledger>
-  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger)
+    requires detail::is_plain<N>
+  {
     all_.gather(nodes);
-    all_.learn_what_is_held(nodes);
+    all_.find_held_directions(nodes);
     all_.gather_forces(nodes, ties_, step.kick());
     double fastest = 0;
     for (const auto& v : all_.v) fastest = std::max(fastest, v.norm());
@@ -77,17 +56,17 @@ class Tied {
       left = 0;
       for (std::size_t k = 0; k < ties_.size(); ++k) left = std::max(left, pull(k, step.dt));
     }
-    all_.give_back(nodes, ledger);
+    all_.scatter(nodes, ledger);
     step_ = step;
   }
 
   /// The force on the tied nodes in the last step.
   Eigen::Vector3d force() const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const ContactPair& tie : ties_) sum += all_.pushed[tie.node];
+    for (const ContactPair& tie : ties_) sum += all_.normal_impulse[tie.node];
     return sum / step_.kick();
   }
-  /// How many times the nodes had to be gone through in the last step.
+  /// Number of sweeps over the nodes in the last step.
   int sweeps() const { return sweeps_; }
 
   template <class Archive>
@@ -96,7 +75,44 @@ class Tied {
   }
 
  private:
-  /// Takes the relative velocity that a node will have had, place and all, at the end of the step; returns what it was.
+  /// Finds the place of every node on the surface.
+  void tie() {
+    target_ = detail::target_of(surface_.faces(), all_);
+    const std::vector<Index> local = detail::to_local(nodes_, all_);
+    if (!(tolerance_ > 0)) tolerance_ = 0.1 * target_.mean_size(all_.x);
+    detail::BucketSearch search;
+    search.sort(local, target_.faces(), all_.x, tolerance_);
+    for (std::size_t s = 0; s < local.size(); ++s) {
+      const detail::Foot foot = nearest(s, local[s], search);
+      ContactPair pair;
+      pair.node = local[s], pair.corners = target_.faces()[foot.face], pair.N = foot.point.N;
+      pair.count = target_.count(foot.face);
+      const Eigen::Vector3d normal = detail::normal_at(target_.corners(foot.face, all_.x), pair.N, pair.count == 3);
+      pair.gap = normal.dot(foot.point.away);
+      if (std::abs(pair.gap) < 1e-9 * tolerance_) pair.gap = 0;
+      ties_.push_back(pair);
+      faces_.push_back(foot.face);
+    }
+  }
+  /// The foot of tied node s on the nearest face.
+  detail::Foot nearest(std::size_t s, Index node, const detail::BucketSearch& search) const {
+    detail::Foot best;
+    for (const Index f : search.near(s)) {
+      if (target_.has(f, node))
+        throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[node]),
+                                    " is tied to a surface that it belongs to; take it out of the tied nodes."}));
+      const detail::Foot foot = target_.foot(f, target_.corners(f, all_.x), all_.x[node], all_.x);
+      if (foot.point.distance2 < best.point.distance2) best = foot;
+    }
+    if (!(best.point.distance2 <= tolerance_ * tolerance_))
+      throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[node]),
+                                  " is farther than ", detail::text(tolerance_),
+                                  " from the surface that it is to be tied to; move it there or give Tied a larger "
+                                  "tolerance."}));
+    return best;
+  }
+
+  /// Removes the misfit of a tie at the end of the step; returns the misfit over the step [velocity].
   double pull(std::size_t k, double dt) {
     ContactPair& tie = ties_[k];
     const auto ahead = [&](Index i) { return Eigen::Vector3d(all_.x[i] + dt * all_.v[i]); };

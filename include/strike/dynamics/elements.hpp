@@ -52,7 +52,7 @@ struct PointStateOf<M, T> {
 template <class F, class M, class T>
 struct PointValueOf {
   using Value = std::remove_cvref_t<std::invoke_result_t<const F&, const typename PointStateOf<M, T>::type&>>;
-  using type = std::conditional_t<std::convertible_to<Value, T>, T, Value>;
+  using type = std::conditional_t<std::is_arithmetic_v<Value>, T, Value>;
 };
 template <class F, class M, class T>
 using PointValue = typename PointValueOf<F, M, T>::type;

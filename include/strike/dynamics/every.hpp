@@ -2,18 +2,21 @@
 #include <cmath>
 #include <utility>
 
+#include <strike/dynamics/observer.hpp>
 #include <strike/error.hpp>
 
 namespace strike {
 
 /// An observer that acts at the start and then at the first step at or after each multiple of an interval:
-/// `run.until(80e-6, Every{1e-6, [&] { history.row(run.time(), length()); }})`. At the end of a run that was given up
-/// it acts once more, so that the last state is on record.
+///   run.until(80e-6, Every{1e-6, [&] { history.row(run.time(), length()); }});
+/// At the end of a run that was given up it acts once more, so that the last state is on record. The action is f() or
+/// f(run).
 template <class Action>
 class Every {
  public:
   Every(double interval, Action action) : interval_(interval), action_(std::move(action)) {
-    if (!(interval > 0)) throw Error("The interval of an Every is not positive: give a time greater than zero.");
+    if (!(interval > 0))
+      throw Error("strike: the interval of an Every is not positive: give a time greater than zero.");
   }
 
   template <class Run>
@@ -35,14 +38,24 @@ class Every {
  private:
   template <class Run>
   void act(const Run& run) {
-    if constexpr (requires { action_(run); })
-      action_(run);
-    else
-      action_();
+    if constexpr (detail::observer::check_action<Action, const Run>()) detail::observer::observe(action_, run);
   }
 
   double interval_, next_ = 0;
   Action action_;
 };
+
+/// Fallback for an Every without an action: its static_assert is the one message.
+template <>
+class Every<void> {
+ public:
+  explicit Every(auto interval) {
+    static_assert(sizeof(interval) == 0,
+                  "strike: an Every takes an interval and an action, such as Every{1e-6, [&] { film.write(run); }}.");
+  }
+  void operator()() const {}
+};
+template <class Interval>
+Every(Interval) -> Every<void>;
 
 }  // namespace strike

@@ -294,14 +294,16 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   double end_ = std::numeric_limits<double>::infinity();
 };
 
-/// Fallback for a scene or method that cannot run: static_asserts, here and where its pieces are looked at, are the one
-/// message.
+/// Fallback for a scene or method that cannot run: the static_asserts of its pieces are the one message.
 template <class Method, class... Items>
-  requires(!detail::can_run<Method, Items...>())
+  requires(!detail::can_run<Method, Items...>)
 class Explicit<Method, Items...> : public detail::IllFormedRun<sizeof...(Items)> {
-  static_assert(!Method::sound || !Scene<Items...>::sound || (detail::suits<typename Method::Bound, Items> && ...),
+  static_assert((detail::suits<typename Method::Bound, Items> && ...),
                 "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
                 "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
+  template <class Item>
+  using Checked = detail::CheckedItem<Item, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>;
+  static constexpr bool reported = (sizeof(Checked<Items>) + ... + 0) > 0;
 
  public:
   explicit Explicit(const auto&...) {}

@@ -95,6 +95,30 @@ constexpr bool is_available() {
     return true;
 }
 
+/// The faults of a method, in the order in which they are looked for. Apart from Method, whose static_asserts report
+/// them, so that they can be asked for in silence.
+enum class MethodFault { none, unknown, twice, not_available, unfit_cycle, number };
+
+template <class... Policies>
+constexpr MethodFault method_fault() {
+  using Cycle = PolicyOf<CycleKind, Policies...>;
+  if constexpr (!(is_policy<Policies> && ...))
+    return MethodFault::unknown;
+  else if constexpr (!(is_told_once<NumbersKind, Policies...> && is_told_once<ExecutionKind, Policies...> &&
+                       is_told_once<StepBoundKind, Policies...> && is_told_once<DampingKind, Policies...> &&
+                       is_told_once<CycleKind, Policies...>))
+    return MethodFault::twice;
+  else if constexpr (!is_available<PolicyOf<ExecutionKind, Policies...>>())
+    return MethodFault::not_available;
+  else if constexpr (Cycle::needs_element_steps && !(std::same_as<PolicyOf<StepBoundKind, Policies...>, ElementStep> &&
+                                                     std::same_as<PolicyOf<DampingKind, Policies...>, NoDamping>))
+    return MethodFault::unfit_cycle;
+  else if constexpr (!PolicyOf<NumbersKind, Policies...>::is_scalar)
+    return MethodFault::number;
+  else
+    return MethodFault::none;
+}
+
 }  // namespace detail
 
 /// The policies of a run, in any order and at most one of a kind: numbers (In), execution (Execution), the bound of the
@@ -102,12 +126,21 @@ constexpr bool is_available() {
 /// is not told has its default: in<Pack<double>>, Serial, ElementStep, NoDamping, NoSubcycling.
 template <class... Policies>
 class Method {
-  static constexpr bool known = (detail::is_policy<Policies> && ...);
-  static constexpr bool once = detail::is_told_once<detail::NumbersKind, Policies...> &&
-                               detail::is_told_once<detail::ExecutionKind, Policies...> &&
-                               detail::is_told_once<detail::StepBoundKind, Policies...> &&
-                               detail::is_told_once<detail::DampingKind, Policies...> &&
-                               detail::is_told_once<detail::CycleKind, Policies...>;
+  using Fault = detail::MethodFault;
+  static constexpr Fault fault = detail::method_fault<Policies...>();
+  static_assert(
+      fault != Fault::unknown,
+      "strike: a policy of Explicit is unknown: it takes numbers, such as in<Pack<float>>, an execution, such "
+      "as OpenMP{}, a bound of the step, such as GlobalStep{}, DynamicRelaxation{} and Subcycling{}; its "
+      "ExplicitOptions come first.");
+  static_assert(fault != Fault::twice,
+                "strike: Explicit has been given two policies of one kind: leave one numbers, one execution, one bound "
+                "of the step, one damping, one cycle.");
+  static_assert(fault != Fault::not_available,
+                "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp, or compile with -fopenmp.");
+  static_assert(fault != Fault::unfit_cycle,
+                "strike: Subcycling{} needs the steps of the elements and true times: leave out GlobalStep{} and "
+                "DynamicRelaxation{}.");
 
  public:
   using Numbers = detail::PolicyOf<detail::NumbersKind, Policies...>;
@@ -115,28 +148,6 @@ class Method {
   using Bound = detail::PolicyOf<detail::StepBoundKind, Policies...>;
   using Damping = detail::PolicyOf<detail::DampingKind, Policies...>;
   using Cycle = detail::PolicyOf<detail::CycleKind, Policies...>;
-
- private:
-  static constexpr bool available = detail::is_available<Execution>();
-  static constexpr bool fits =
-      !Cycle::needs_element_steps || (std::same_as<Bound, ElementStep> && std::same_as<Damping, NoDamping>);
-  static_assert(
-      known,
-      "strike: a policy of Explicit is unknown: it takes numbers, such as in<Pack<float>>, an execution, such "
-      "as OpenMP{}, a bound of the step, such as GlobalStep{}, DynamicRelaxation{} and Subcycling{}; its "
-      "ExplicitOptions come first.");
-  static_assert(!known || once,
-                "strike: Explicit has been given two policies of one kind: leave one numbers, one execution, one bound "
-                "of the step, one damping, one cycle.");
-  static_assert(available,
-                "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp, or compile with -fopenmp.");
-  static_assert(!once || fits,
-                "strike: Subcycling{} needs the steps of the elements and true times: leave out GlobalStep{} and "
-                "DynamicRelaxation{}.");
-
- public:
-  /// No static_assert has reported it.
-  static constexpr bool sound = known && once && available && fits && Numbers::is_scalar;
 
   explicit Method(const Policies&... policies)
       : execution(detail::policy_of<detail::ExecutionKind>(policies...)),

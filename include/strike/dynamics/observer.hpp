@@ -70,16 +70,21 @@ concept CalledAlone = requires(Observer& observer) { observer(); };
 /// The first fault of an observer, in the order of the requirements; `All` is the tuple of all observers.
 enum class Fault { none, not_callable, returns_bool, stops, last, save, resume };
 
+/// The fault of what is called as f(run) or f().
+template <class Action, class Run>
+constexpr Fault call_fault() {
+  if constexpr (CalledWithRun<Action, Run>)
+    return std::same_as<std::remove_cvref_t<std::invoke_result_t<Action&, Run&>>, bool> ? Fault::returns_bool
+                                                                                        : Fault::none;
+  else if constexpr (CalledAlone<Action>)
+    return std::same_as<std::remove_cvref_t<std::invoke_result_t<Action&>>, bool> ? Fault::returns_bool : Fault::none;
+  else
+    return Fault::not_callable;
+}
+
 template <class Observer, class Run, class All>
 constexpr Fault fault() {
-  if constexpr (CalledWithRun<Observer, Run>) {
-    if constexpr (std::same_as<std::remove_cvref_t<std::invoke_result_t<Observer&, Run&>>, bool>)
-      return Fault::returns_bool;
-  } else if constexpr (CalledAlone<Observer>) {
-    if constexpr (std::same_as<std::remove_cvref_t<std::invoke_result_t<Observer&>>, bool>) return Fault::returns_bool;
-  } else {
-    return Fault::not_callable;
-  }
+  if constexpr (call_fault<Observer, Run>() != Fault::none) return call_fault<Observer, Run>();
   if constexpr (nearly<Stops, Observer>) return Fault::stops;
   if constexpr (nearly<Last, Observer, Run>) return Fault::last;
   if constexpr (nearly<Save, Observer, Run, const All>) return Fault::save;
@@ -87,10 +92,9 @@ constexpr Fault fault() {
   return Fault::none;
 }
 
-/// Reports the first fault in one sentence; true if there is none.
-template <class Observer, class Run, class All>
-constexpr bool check() {
-  constexpr Fault found = fault<Observer, Run, All>();
+/// Reports a fault in one sentence; true if there is none.
+template <Fault found>
+constexpr bool report() {
   static_assert(found != Fault::not_callable,
                 "strike: an observer of a run is called as f() or f(run), such as [&] { film.write(run); } or "
                 "Every{1e-3, [&] { ... }}.");
@@ -103,6 +107,15 @@ constexpr bool check() {
   static_assert(found != Fault::resume,
                 "strike: resume of an observer is called as resume(run, observers) and returns a bool.");
   return found == Fault::none;
+}
+template <class Observer, class Run, class All>
+constexpr bool check() {
+  return report<fault<Observer, Run, All>()>();
+}
+/// The same for the action of an observer such as Every.
+template <class Action, class Run>
+constexpr bool check_action() {
+  return report<call_fault<Action, Run>()>();
 }
 
 /// Calls f(run), or else f().

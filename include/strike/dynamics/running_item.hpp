@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <strike/dynamics/item.hpp>
+#include <strike/dynamics/method.hpp>
 #include <strike/dynamics/running_part.hpp>
 #include <strike/dynamics/scene.hpp>
 
@@ -57,11 +58,16 @@ template <class Bound, class E, class M, std::size_t n, class R>
   requires(Part<E, M, n, R>::flaw == Flaw::none)
 inline constexpr bool suits<Bound, Part<E, M, n, R>> = Bound::template suits<E, M>;
 
-/// Reports the first fault of an item, for which it stands in the compiler's message.
+/// The fault of an item in a run with such nodes; parts have reported their own.
 template <class Item, class N>
-struct CheckItem {
-  static constexpr item::Fault fault = item::fault<Item, N>();
-  static constexpr bool sound = fault == item::Fault::none;
+inline constexpr item::Fault item_fault = item::fault<Item, N>();
+template <class E, class M, std::size_t n, class R, class N>
+inline constexpr item::Fault item_fault<Part<E, M, n, R>, N> = item::Fault::none;
+
+/// Reports the fault of an item, which the compiler names with it.
+template <class Item, class N>
+struct CheckedItem {
+  static constexpr item::Fault fault = item_fault<Item, N>;
   static_assert(
       fault != item::Fault::no_function,
       "strike: an item of this Scene is neither a Part nor has one of the functions begin(nodes), "
@@ -94,20 +100,15 @@ struct CheckItem {
   static_assert(fault != item::Fault::warning,
                 "strike: warning of an item is a constant function, called as warning(), that returns a sentence.");
 };
-template <class E, class M, std::size_t n, class R, class N>
-struct CheckItem<Part<E, M, n, R>, N> {
-  static constexpr bool sound = true;
-};
-
-/// The scene can run with the method; what cannot is reported on the way, in one sentence.
+/// The scene can run with the method. Nothing is reported here, where the compiler only chooses.
 template <class Method, class... Items>
-constexpr bool can_run() {
-  if constexpr (!Method::sound || !Scene<Items...>::sound)
-    return false;
-  else if constexpr (!(suits<typename Method::Bound, Items> && ...))
-    return false;
-  else
-    return (CheckItem<Items, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>::sound && ...);
-}
+inline constexpr bool can_run = false;
+template <class... Policies, class... Items>
+  requires(method_fault<Policies...>() == MethodFault::none && Scene<Items...>::sound &&
+           (suits<PolicyOf<StepBoundKind, Policies...>, Items> && ...))
+inline constexpr bool can_run<Method<Policies...>, Items...> =
+    ((item_fault<Items, typename PolicyOf<NumbersKind, Policies...>::template Nodes<Scene<Items...>::nodes_turn>> ==
+      item::Fault::none) &&
+     ...);
 
 }  // namespace strike::detail

@@ -1,5 +1,5 @@
 #pragma once
-#include <strike/scalar/scalar.hpp>
+#include <strike/element/policies.hpp>
 
 namespace strike {
 
@@ -12,7 +12,7 @@ struct BulkViscosity {
 
   template <class T>
   struct State {
-    T pressure{};  ///< q of the last step: the balance of energy needs the mean over a step
+    T pressure{};  ///< q of the last step; the work is that of the mean over a step [stress]
   };
 
   /// q, positive in compression; rate = tr D.
@@ -21,13 +21,13 @@ struct BulkViscosity {
     const T s = max(T(0.0), -rate) * tau;
     return wave_modulus * s * (quadratic * quadratic * s + linear);
   }
-  /// dq/d|tr D| [stress time], the coefficient of viscosity that the stable step must know.
+  /// dq/d|tr D| [stress time], the coefficient of viscosity in the stable step.
   template <class T>
   T coefficient(const T& wave_modulus, const T& tau, const T& rate) const {
     const T s = max(T(0.0), -rate) * tau;
     return wave_modulus * tau * (2.0 * quadratic * quadratic * s + linear);
   }
-  /// What a step to the pressure q dissipates while it changes the volume by dV.
+  /// Energy dissipated by a step to the pressure q that changes the volume by dV.
   template <class T>
   T work(State<T>& state, const T& q, const T& dV) const {
     const T mean = 0.5 * (state.pressure + q);
@@ -36,6 +36,7 @@ struct BulkViscosity {
   }
 };
 
+/// Absence of bulk viscosity.
 struct NoBulkViscosity {
   template <class T>
   struct State {};

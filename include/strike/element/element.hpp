@@ -13,7 +13,7 @@ namespace strike {
 template <class T, int n>
 using Nodal = Eigen::Matrix<T, 3, n>;
 
-/// Whether an element turns its nodes, which then have angular velocities and feel moments.
+/// The element turns its nodes, which then have angular velocities and take moments.
 template <class E>
 constexpr bool turns_nodes() {
   if constexpr (requires { E::turns_nodes; })
@@ -21,46 +21,62 @@ constexpr bool turns_nodes() {
   else
     return false;
 }
-/// How many vectors tell the motion of an element: the velocities of its nodes, and if these turn their angular
-/// velocities behind them. As many tell its forces, and moments.
+/// Number of the vectors that tell the motion of an element: the velocities of its nodes, and if these turn their
+/// angular velocities behind them. As many tell its forces, and moments.
 template <class E>
 inline constexpr int motions = turns_nodes<E>() ? 2 * E::nodes : E::nodes;
 
-/// What an element gives to each of its nodes that turn.
+/// Share of an element in each of its nodes that turn.
 template <class T>
 struct NodalInertia {
   T mass, inertia;  ///< inertia: moment of inertia about any axis [mass length^2]
 };
 
-/// What an element answers to a step; n is the number of its `motions`.
+/// Answer of an element to a step; n is the number of its `motions`.
 template <class T, int n>
 struct Response {
-  Nodal<T, n> force;      ///< on the element's nodes that deform it, B sigma: the mesh feels its negative
+  Nodal<T, n> force;      ///< by which the nodes deform the element, B sigma: on the mesh acts its negative
   T volume;               ///< or area, at the end of the step; not positive: the element is inverted
-  T critical_rate;        ///< one over the largest step that this element alone allows next
-  T internal_work;        ///< done on the material in the step
-  T hourglass_work;       ///< done against the hourglass control
-  T bulk_viscosity_work;  ///< dissipated by the bulk viscosity
+  T critical_rate;        ///< one over the largest step that this element alone allows next [1/time]
+  T internal_work;        ///< done on the material in the step [energy]
+  T hourglass_work;       ///< done against the hourglass control [energy]
+  T bulk_viscosity_work;  ///< dissipated by the bulk viscosity [energy]
 };
 
-/// An element: it measures the motion of its nodes, turns what its material remembers, asks the material, and gives
-/// forces.
+namespace detail {
+/// Archetype of a function that visits points.
+struct PointVisitor {
+  void operator()(const auto&) const {}
+};
+}  // namespace detail
+
+/// An element: measures the motion of its nodes, turns the tensors of its material, calls it, and gives forces.
 ///
-/// A model has
-/// - `Kinematics`, which must be the material's, and the number of its `nodes`;
-/// - `State<M, T>`: what it remembers, with `each_point(f)` over the states of its material points;
-/// - `begin(state, material, x)`: sets the state at rest at the positions x and returns the mass of each of its nodes,
-/// or their NodalInertia if it says that it `turns_nodes`;
-/// - `advance(state, material, x, v, dt)`: advances the state over the step dt that ended at the positions x, through
-/// which
-///   the nodes moved at the velocities v, `motions` columns, and returns the Response.
-/// Laws (see tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
+/// Requirements
+/// 1. `Kinematics`: its pair of measure and stress, which must be the material's.
+/// 2. `nodes`: their number.
+/// 3. `State<M, T>`: its memory, an aggregate of numbers T, with `each_point(f)`, which calls f with the state of each
+///    of its material points.
+/// 4. `begin(state, material, x)`: sets the state at rest at the positions x and returns the mass of each node, or its
+///    NodalInertia if the element turns its nodes.
+/// 5. `advance(state, material, x, v, dt)`: advances the state over the step dt that ended at the positions x, through
+///    which the nodes moved at the velocities v, `motions` columns, and returns the Response.
+/// begin and advance are templates over the number T.
+/// Optional
+/// 6. `turns_nodes`: true where nodes have angular velocities.
+/// 7. `State::each_point(k, f)`: the points of layer k.
+/// 8. `averages_volume`: true where the driver averages volumes over nodes; then also `volume(x)`, `advance(state,
+///    material, x, v, nodal_volume, dt)` and `State::relative_volume` (strike/element/tet4.hpp).
+/// 9. `resistance(state, material, x, v, dt)`: of a small motion, for GlobalStep (strike/element/hex8_resistance.hpp).
+/// Laws (tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
 /// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
-/// and creates no energy.
+/// and creates no energy; in a step without time, dt = 0, no work is done. Models: Hex8, Hex8Full, Tet4, Plate4,
+/// MassScaled. Their policies: strike/element/policies.hpp.
 template <class E, class M = Elastic>
 concept Element = std::same_as<typename E::Kinematics, typename M::Kinematics> &&
                   requires(const E e, typename E::template State<M, double> state, const M m,
                            const Nodal<double, E::nodes> x, const Nodal<double, motions<E>> v) {
+                    state.each_point(detail::PointVisitor{});
                     {
                       e.begin(state, m, x)
                     } -> std::convertible_to<std::conditional_t<turns_nodes<E>(), NodalInertia<double>, double>>;
@@ -68,16 +84,13 @@ concept Element = std::same_as<typename E::Kinematics, typename M::Kinematics> &
                   };
 
 /// Turns every spatial tensor that the state declares.
-template <class Turn, class State>
-void turn_tensors(const Turn& turn, State& state) {
+template <class Rotator, class State>
+void turn_tensors(const Rotator& rotate, State& state) {
   if constexpr (requires { state.spatial_tensors(); })
-    std::apply([&](auto&... tensor) { ((tensor = turn(tensor)), ...); }, state.spatial_tensors());
+    std::apply([&](auto&... tensor) { ((tensor = rotate(tensor)), ...); }, state.spatial_tensors());
 }
 
-// Where in a step the motion is measured: the velocity gradient there, and `to_end(w)`, which carries what is measured
-// there to the end of the step; w is the axial vector of the step's spin, skew(L) dt.
-
-/// At the end of the step: cheaper, and a rotation by theta per step strains by 1 - cos(theta).
+/// The end of the step: cheaper, and a rotation by theta per step strains by 1 - cos(theta).
 struct EndStep {
   template <class T>
   Matrix3<T> operator()(const Matrix3<T>& L, double) const {
@@ -89,9 +102,9 @@ struct EndStep {
   }
 };
 
-/// In the middle of the step, from the gradient at its end, L_mid = L (I - dt/2 L)^-1: exact in a homogeneous motion,
-/// and a rotation strains nothing. Half the spin is still to come, by which the rate of deformation is turned: without
-/// that the stress would answer askew by theta/2, and modes of one frequency w would feed each other, each growing by
+/// The middle of the step, from the gradient at its end, L_mid = L (I - dt/2 L)^-1: exact in a homogeneous motion, and
+/// a rotation strains nothing. The rate of deformation is turned by the other half of the spin: without that the stress
+/// would be off by the angle theta/2, and modes of one frequency w would feed each other, each growing by
 /// exp(w dt theta/2) a step.
 struct MidStep {
   template <class T>
@@ -105,7 +118,7 @@ struct MidStep {
   }
   template <class T>
   auto to_end(const Vector3<T>& w) const {
-    return Jaumann{}.turn(Vector3<T>(T(0.5) * w));  // first order is enough: where a motion is rigid nothing is turned
+    return Jaumann{}.turn(Vector3<T>(T(0.5) * w));  // first order suffices: in a rigid motion there is no rate to turn
   }
 };
 

@@ -3,6 +3,7 @@
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hex8_resistance.hpp>
 #include <strike/element/hourglass.hpp>
+#include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
 #include <strike/tensor/rotation.hpp>
@@ -10,19 +11,24 @@
 namespace strike {
 
 /// The eight-node hexahedron with one point, the mean stress and hourglass control of Flanagan and Belytschko (1981),
-/// written in its own modes. Policies: hourglass control, rotation of the stress, bulk viscosity, and where in the step
-/// the motion is measured.
+/// written in its own modes. Policies: hourglass control, rotation of the tensors, bulk viscosity, and the instant of
+/// the step at which the motion is measured.
 ///   Hex8{}   Hex8{StiffnessHourglass{.coefficient = 0.01}}   Hex8{ViscousHourglass{}, Jaumann{}, NoBulkViscosity{}}
 template <class Hourglass = ViscousHourglass, class Spin = HughesWinget, class Viscosity = BulkViscosity,
           class Instant = MidStep>
 struct Hex8 {
-  static constexpr bool has_hourglass = HourglassControl<Hourglass>, has_rotation = Rotation<Spin>,
-                        sound = has_hourglass && has_rotation;
+  static constexpr bool has_hourglass = HourglassControl<Hourglass>, has_rotation = has_hourglass && Rotation<Spin>,
+                        has_viscosity = has_rotation && ShockViscosity<Viscosity>,
+                        has_instant = has_viscosity && MeasuringInstant<Instant>, sound = has_instant;
   static_assert(has_hourglass,
                 "strike: the first policy of Hex8 is its hourglass control: ViscousHourglass, StiffnessHourglass or "
                 "NoHourglass.");
   static_assert(!has_hourglass || has_rotation,
                 "strike: the second policy of Hex8 is the rotation of its tensors: HughesWinget or Jaumann.");
+  static_assert(!has_rotation || has_viscosity,
+                "strike: the third policy of Hex8 is its bulk viscosity: BulkViscosity or NoBulkViscosity.");
+  static_assert(!has_viscosity || has_instant,
+                "strike: the fourth policy of Hex8 is the instant at which it measures: MidStep or EndStep.");
 
   [[no_unique_address]] Hourglass hourglass{};
   [[no_unique_address]] Spin rotation{};
@@ -53,12 +59,12 @@ struct Hex8 {
     return (0.125 * density_of(material)) * V;
   }
 
-  /// `Velocities` are nodal, or become so where they are needed, so that they do not wait in registers.
+  /// `Velocities` are nodal, or convert to them, so that they are loaded where they are needed and not before.
   template <class M, class T, class Velocities>
   Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v,
                          double dt) const {
-    // Statements stand in an order in which the long chains of dependent operations (roots, quotients) run beside
-    // others, and few numbers wait.
+    // The order of the statements overlaps long chains of dependent operations (roots, quotients) with others, and
+    // leaves few numbers waiting.
     const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T& V = g.volume;
@@ -138,7 +144,7 @@ struct Hex8 {
   template <class T>
   using Resistance = Hex8Resistance<T>;
 
-  /// What resists a small motion in a step of dt from here, the nodes at the velocities v.
+  /// Resistance to a small motion in a step dt from here; v are the velocities of the nodes.
   template <class M, class T>
   Hex8Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
                                double dt) const {
@@ -171,8 +177,8 @@ struct Hex8 {
   }
 
  private:
-  /// tr(P gamma gamma^T)/8 of the hourglass vectors gamma_k = Lambda_k - b.m_k, where P projects onto the gradient b =
-  /// B/V: |P gamma_k|^2 = m_k.S m_k - m_k.g_k/(4 V) + g_k.S^-1 g_k/(8 V)^2, S = B B^T/V^2. Given is S V^2/V0^2.
+  /// tr(P gamma gamma^T)/8 of the hourglass vectors gamma_k = Lambda_k - b.m_k; P projects onto the gradient b = B/V:
+  /// |P gamma_k|^2 = m_k.S m_k - m_k.g_k/(4 V) + g_k.S^-1 g_k/(8 V)^2, S = B B^T/V^2. The argument S is S V^2/V0^2.
   template <class T>
   static T overlap(const SymmetricTensor<T>& S, const SymmetricTensor<T>& S_b, const T& shrinkage,
                    const Hex8Modes<T>& m, const Hex8Gradient<T>& g, const T& per_volume) {

@@ -4,6 +4,7 @@
 
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/hex8_points.hpp>
+#include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
 #include <strike/tensor/rotation.hpp>
@@ -11,14 +12,20 @@
 namespace strike {
 
 /// The eight-node hexahedron with 2 x 2 x 2 points, selectively reduced so that it does not lock (Hughes 1980): the
-/// change of volume is the mean over the element, the change of shape that of each point. It has no hourglass modes and
-/// nothing to control: the price of Hex8's control can be read off. Policies: rotation of the stress, bulk viscosity,
-/// and where in the step the motion is measured.
+/// change of volume is the mean over the element, the change of shape that of each point. It has no hourglass modes to
+/// control: a reference for the price of Hex8's control. Policies: rotation of the tensors, bulk viscosity, and the
+/// instant of the step at which the motion is measured.
 ///   Hex8Full{}   Hex8Full{Jaumann{}, NoBulkViscosity{}}
 template <class Spin = HughesWinget, class Viscosity = BulkViscosity, class Instant = MidStep>
 struct Hex8Full {
-  static_assert(Rotation<Spin>,
+  static constexpr bool has_rotation = Rotation<Spin>, has_viscosity = has_rotation && ShockViscosity<Viscosity>,
+                        sound = has_viscosity && MeasuringInstant<Instant>;
+  static_assert(has_rotation,
                 "strike: the first policy of Hex8Full is the rotation of its tensors: HughesWinget or Jaumann.");
+  static_assert(!has_rotation || has_viscosity,
+                "strike: the second policy of Hex8Full is its bulk viscosity: BulkViscosity or NoBulkViscosity.");
+  static_assert(!has_viscosity || sound,
+                "strike: the third policy of Hex8Full is the instant at which it measures: MidStep or EndStep.");
 
   [[no_unique_address]] Spin rotation{};
   [[no_unique_address]] Viscosity bulk_viscosity{};
@@ -98,7 +105,7 @@ struct Hex8Full {
       intact = max(intact, intact_share<T>(material, point_state));
     };
 
-    // Where the material knows its energy, a point waits for the heat that follows from what all of them measure.
+    // In a material with an internal energy the points advance after the heat, which follows from all their measures.
     constexpr bool heated = requires { state.material[0].internal_energy; };
     std::array<Measure<T>, heated ? points : 0> measures;
     for (std::size_t i = 0; i < points; ++i)
@@ -136,7 +143,7 @@ struct Hex8Full {
   }
 
  private:
-  /// What a point measures of a step.
+  /// The measure of a step at a point.
   template <class T>
   struct Measure {
     Hex8Map<T> map;

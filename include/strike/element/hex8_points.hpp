@@ -46,7 +46,7 @@ struct Hex8Point {
 template <class T>
 struct Hex8Map {
   Matrix3<T> cofactors;  ///< of A, in columns c_j: grad xi_j = c_j/det A
-  T volume;              ///< det A, what the point stands for
+  T volume;              ///< det A, the point's share of the volume
 
   Hex8Map() = default;
   explicit Hex8Map(const Matrix3<T>& A) {

@@ -4,15 +4,15 @@
 
 namespace strike {
 
-/// How a hexahedron with one point resists a small motion p of its nodes in a step dt: the forces (K dt^2/4 + C dt/2) p
-/// of its stiffness K and its damping C, by the letters of Hex8. Of these the step must know the largest eigenvalue
-/// over the mass, which may not be above 1.
+/// Resistance of a hexahedron with one point to a small motion p of its nodes in a step dt: the forces
+/// (K dt^2/4 + C dt/2) p of its stiffness K and its damping C, in the letters of Hex8. A stable step keeps their
+/// largest eigenvalue over the mass at or below 1.
 template <class T>
 struct Hex8Resistance {
   T mass{};                          ///< of each node
   T lambda{}, shear{}, hourglass{};  ///< stress = lambda tr(grad p) I + 2 shear sym(grad p); Q_k = hourglass q_k
 
-  /// Of a material with these moduli and a bulk viscosity of the coefficient zeta [stress time]: what Stability bounds.
+  /// Resistance with these moduli and a bulk viscosity of the coefficient zeta [stress time], which Stability bounds.
   template <class M>
   static Hex8Resistance in_step(const M& material, const Moduli<T>& moduli, const T& zeta, const T& mass, double dt) {
     const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear);

@@ -1,36 +1,16 @@
 #pragma once
-#include <concepts>
+#include <cstddef>
 #include <tuple>
 
-#include <strike/element/hex8_modes.hpp>
+#include <strike/element/policies.hpp>
 
 namespace strike {
 
-/// What an hourglass control may know of its element.
-template <class T>
-struct HourglassElement {
-  T density, volume, edge, per_mass;  ///< edge: V^(1/3); per_mass: 1/(rho V)
-  T wave_modulus, shear_modulus;      ///< rho c^2 and G
-  T gradient_squared;                 ///< B_iI B_iI/V^2
-  T dt;
-};
-
-/// Nothing resists the hourglass modes.
+/// Absence of a resistance to the hourglass modes.
 struct NoHourglass {
   template <class T>
   struct State {};
 };
-
-/// A resistance against the hourglass modes, with the work done against it and the step that it allows; or none.
-/// Laws: it does no work on linear fields (the rates vanish there) and creates no energy.
-template <class H>
-concept HourglassControl =
-    std::same_as<H, NoHourglass> || requires(const H control, typename H::template State<double> state,
-                                             const HourglassElement<double> e, const HourglassModes<double> q) {
-      { control.resistance(state, e, q) } -> std::convertible_to<HourglassModes<double>>;
-      { control.work(e, q, q) } -> std::convertible_to<double>;
-      { control.critical_rate(e) } -> std::convertible_to<double>;
-    };
 
 /// Resistance against the rate of the hourglass modes, a qdot with a = Q rho c V^(2/3)/4 (Flanagan and Belytschko 1981;
 /// LS-DYNA type 3).
@@ -49,7 +29,7 @@ struct ViscousHourglass {
     const T a = damping(e);
     return {a * rates[0], a * rates[1], a * rates[2], a * rates[3]};
   }
-  /// Work done against the resistance in the step.
+  /// Work done against the resistance in the step [energy].
   template <class T>
   T work(const HourglassElement<T>& e, const HourglassModes<T>& Q, const HourglassModes<T>& rates) const {
     return e.dt * (dot(Q[0], rates[0]) + dot(Q[1], rates[1]) + dot(Q[2], rates[2]) + dot(Q[3], rates[3]));

@@ -3,14 +3,14 @@
 
 namespace strike {
 
-/// An element whose mass is scaled at the start so that it allows at least this `step` [time], before the factor of the
-/// run: for the few that are much smaller than the others. A rate of sqrt(k/m) falls with the root of the mass, and so
-/// at least does that of what is damped. Nodes get the mass; the density in the laws stays. The part tells what was
-/// added: `run.item<i>().added_mass()`, and in its warning.
+/// An element whose mass is scaled at the start so that it allows at least this `step` [time], before the step factor
+/// of the run: for few elements that are much smaller than the others. A frequency sqrt(k/m) falls with the root of the
+/// mass, and rates of decay fall at least so. Nodes get the mass; the density in the laws stays. The added mass:
+/// `run.item<i>().added_mass()`, and the warnings of the run.
 ///   Part{MassScaled{Hex8{}, 2e-4}, copper, mesh.hexahedra}
 template <class E>
 struct MassScaled : E {
-  double step;
+  double step;  ///< [time]
 
   template <class M, class T>
   struct State : E::template State<M, T> {

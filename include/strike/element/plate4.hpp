@@ -3,14 +3,14 @@
 #include <cstddef>
 #include <type_traits>
 
-#include <strike/element/plate4_modes.hpp>
 #include <strike/element/plate_hourglass.hpp>
 #include <strike/element/plate_warping.hpp>
+#include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 
 namespace strike {
 
-/// The thickness of a plate stays what it was.
+/// Constant thickness.
 struct ConstantThickness {
   template <class T>
   struct State {};
@@ -23,7 +23,7 @@ struct ConstantThickness {
   void advance(State<T>&, const T&, double) const {}
 };
 
-/// The thickness of a plate follows the strain across it, h' = h d_zz.
+/// Thickness that follows the strain across the plate, h' = h d_zz.
 struct ThicknessChange {
   template <class T>
   struct State {
@@ -36,21 +36,15 @@ struct ThicknessChange {
   }
   template <class T>
   void advance(State<T>& state, const T& normal_rate, double dt) const {
-    if (!(dt > 0)) return;  // there is no rate
     const T half = (0.5 * dt) * normal_rate;
     state.relative *= (1.0 + half) / (1.0 - half);
   }
 };
 
-template <class P>
-concept PlateThickness = requires(const P thickness, const typename P::template State<double> state) {
-  { thickness.relative(state) } -> std::convertible_to<double>;
-};
-
 /// The four-node Mindlin plate of Belytschko, Lin and Tsay (1984) with one point in its plane and three rotations at a
 /// node, written in its own modes. Strain is measured in the middle of the step, so that a rotation strains nothing;
 /// the stresses live in the plate's frame, which does not depend on the numbering. Its material is a section. Policies:
-/// hourglass control, what it makes of a warp, whether its thickness changes, and what resists the drilling.
+/// hourglass control, treatment of a warp, change of the thickness, and resistance to the drilling.
 ///   Plate4{}   Plate4{PlateHourglass{.membrane = 0.01}}   Plate4{PlateHourglass{}, NoWarping{}, ThicknessChange{}}
 template <class Hourglass = PlateHourglass, class Warping = BelytschkoWongChiang, class Thickness = ConstantThickness,
           class Drilling = DrillingStiffness>
@@ -110,7 +104,7 @@ struct Plate4 {
     return {mass, mass / per_gyration(material, state.inverse_area)};
   }
 
-  /// `v` has the velocities of the four nodes, and behind them their angular velocities.
+  /// `v`: the velocities of the four nodes, and behind them their angular velocities.
   template <class Section, class T>
   Response<T, 8> advance(State<Section, T>& state, const Section& material, const Nodal<T, 4>& x, const Nodal<T, 8>& v,
                          double dt) const {
@@ -123,9 +117,10 @@ struct Plate4 {
     const T& A = frame.area;
     const T dA = volume_increment<T>(A, dt * trace(rate.membrane));
     const T h = material.thickness() * thickness.relative(state.thickness);
-    const PlateKinematics::Rate<T> felt{rate.membrane, rate.curvature, rate.shear, thickness.relative(state.thickness)};
-    const PlateKinematics::Stress<T> before = remembered(material, state.material, felt.relative_thickness);
-    const PlateKinematics::Stress<T> stress = material.stress(state.material, felt, dt);
+    const PlateKinematics::Rate<T> given{rate.membrane, rate.curvature, rate.shear,
+                                         thickness.relative(state.thickness)};
+    const PlateKinematics::Stress<T> before = remembered(material, state.material, given.relative_thickness);
+    const PlateKinematics::Stress<T> stress = material.stress(state.material, given, dt);
     thickness.advance(state.thickness, stress.normal_rate, dt);
 
     Response<T, 8> response;
@@ -134,7 +129,7 @@ struct Plate4 {
     response.bulk_viscosity_work = T(0.0);
     response.hourglass_work = T(0.0);
 
-    // Forces on the modes: of N on the tangents, of M on their turn by a right angle, of Q on both.
+    // Forces on the modes: N acts on the tangents, M on the tangents turned by a right angle, Q on both.
     const Vector3<T>& e3 = frame.normal;
     const PlaneTensor<T> N = A * frame.turned(stress.force), M = A * frame.turned(stress.moment);
     const Vector2<T> Q = frame.turned(stress.shear(0), stress.shear(1));
@@ -149,7 +144,7 @@ struct Plate4 {
     F.s = F.h = G.h = Vector3<T>{T(0.0), T(0.0), T(0.0)};
     if constexpr (projects_shear) G.eta = G.eta + (0.25 * Q_xi) * c_h, G.xi = G.xi + (0.25 * Q_eta) * c_h;
 
-    const typename PlateKinematics::Moduli<T> moduli = material.moduli(state.material, felt);
+    const typename PlateKinematics::Moduli<T> moduli = material.moduli(state.material, given);
     const PlaneTensor<T> bb = frame.gradient_squared();
     const T z = dot(e3, m.h);
     const Vector2<T> h_local = frame.in_plane(m.h), p = frame.turned(h_local(0), h_local(1));
@@ -190,8 +185,8 @@ struct Plate4 {
                         drilling_controlled = !std::is_same_v<Drilling, FreeDrilling>,
                         drills = Warping::drills || drilling_controlled;
 
-  /// Mass per moment of inertia: that of the section, but not so much that the rotations and not the membrane would
-  /// limit the step, 8/A (after Hughes, Cohen and Haroun 1978).
+  /// Mass per moment of inertia [1/length^2]: that of the section, at most 8/A, so that the membrane and not the
+  /// rotations limits the step (after Hughes, Cohen and Haroun 1978).
   template <class Section, class T>
   static T per_gyration(const Section& material, const T& inverse_area) {
     return min(T(density_of(material) / material.rotary_inertia()), 8.0 * inverse_area);
@@ -237,7 +232,7 @@ struct Plate4 {
       const Vector2<T> h_local = frame.in_plane(m_h), p = frame.turned(h_local(0), h_local(1));
       const Vector3<T> q_u = u.h - p(0) * u.xi - p(1) * u.eta, q_w = w.h - p(0) * w.xi - p(1) * w.eta;
       T q_across = dot(e3, q_u);
-      if constexpr (projects_shear)  // what the shears along opposite edges differ by, which is nothing in pure bending
+      if constexpr (projects_shear)  // the difference of the shears along opposite edges, zero in pure bending
         q_across += 0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
       measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), q_across};
     }
@@ -259,7 +254,7 @@ struct Plate4 {
     R += change;
     return work;
   }
-  /// The same for all hourglass modes, ...
+  /// Advances the resistance to all hourglass modes, ...
   template <class T>
   static T resist(PlateHourglassModes<T>& R, const PlateHourglassStiffness<T>& stiffness,
                   const PlateHourglassModes<T>& rates, double dt) {
@@ -270,7 +265,7 @@ struct Plate4 {
     }
     return work + resist(R.shear, stiffness.shear, rates.shear, dt);
   }
-  /// ... and for the drilling, of which each mode has a quarter of the nodes' stiffness; adds R to the moment on it.
+  /// ... and to the drilling, of which each mode has a quarter of the nodes' stiffness; adds R to the moment on it.
   template <class T>
   static T resist(Plate4Drilling<T>& R, const T& stiffness, const Plate4Drilling<T>& rates, double dt,
                   Plate4Drilling<T>& moment) {

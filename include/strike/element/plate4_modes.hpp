@@ -29,7 +29,7 @@ void to_plate_nodes(const Plate4Modes<T>& F, Nodal<T, n>& f, std::size_t first =
   set_column(f, first + 2, S + D), set_column(f, first + 3, S - D);
 }
 
-/// The plane of a quadrilateral and how its reference square lies in it. The frame is the rotation of the polar
+/// The plane of a quadrilateral and its reference square in it. The frame is the rotation of the polar
 /// decomposition of the mean map: in it (m_xi, m_eta) is the symmetric
 ///   U = (C + D 1)/t,   C = (m_i . m_j),   D = sqrt(det C) = 4 A,   t = sqrt(tr C + 2 D),
 /// whatever corner the numbers begin with. The gradient of a field f is f_,j = f_i (U^-1)_ij.
@@ -57,7 +57,7 @@ struct Plate4Frame {
   Vector2<T> turned(const T& xi, const T& eta) const {
     return {inverse.xx * xi + inverse.xy * eta, inverse.xy * xi + inverse.yy * eta};
   }
-  /// U^-1 a U^-1, the same for tensors.
+  /// U^-1 a U^-1, of tensors.
   PlaneTensor<T> turned(const PlaneTensor<T>& a) const {
     const T &p = inverse.xx, &q = inverse.yy, &r = inverse.xy;
     return {p * p * a.xx + 2.0 * p * r * a.xy + r * r * a.yy, r * r * a.xx + 2.0 * r * q * a.xy + q * q * a.yy,
@@ -82,8 +82,8 @@ struct Plate4Frame {
   }
 };
 
-/// The drilling of the nodes: how much more slowly they turn about the normal than the plane, whose spin is that of the
-/// mean gradient; or the moment on it. In modes.
+/// The drilling of the nodes in modes: the spin of the plane, that of its mean gradient, less their rotation about the
+/// normal; or the moment on it.
 template <class T>
 struct Plate4Drilling {
   T s{}, xi{}, eta{}, h{};
@@ -96,7 +96,7 @@ struct Plate4Drilling {
     s = 2.0 * dot<T>(e3, cross(g_xi, u.xi) + cross(g_eta, u.eta)) - dot(e3, w.s);
     xi = -dot(e3, w.xi), eta = -dot(e3, w.eta), h = -dot(e3, w.h);
   }
-  /// The transpose: adds what the moments on the drilling are at the nodes.
+  /// The transpose: adds the forces at the nodes of the moments on the drilling.
   void add_forces(const Plate4Frame<T>& frame, Plate4Modes<T>& F, Plate4Modes<T>& G) const {
     const auto [g_xi, g_eta] = frame.dual();
     const Vector3<T>& e3 = frame.normal;

@@ -1,32 +1,7 @@
 #pragma once
-#include <concepts>
-
-#include <strike/material/kinematics.hpp>
-#include <strike/tensor/plane.hpp>
+#include <strike/element/policies.hpp>
 
 namespace strike {
-
-/// The rates of the hourglass modes of a plate in its frame, or the resistance to them: of the motion in the plane and
-/// across it, and of the rotations.
-template <class T>
-struct PlateHourglassModes {
-  Vector2<T> membrane = Vector2<T>::Zero(), bending = Vector2<T>::Zero();
-  T shear{};
-};
-
-/// What an hourglass control may know of its plate: its area, thickness and b_iI b_iI, and the stiffness of its
-/// section.
-template <class T, class Moduli>
-struct PlateHourglassElement {
-  T area, thickness, gradient_squared;
-  Moduli moduli;
-};
-
-/// The stiffness of the control of each family [force/length, and force length for the rotations].
-template <class T>
-struct PlateHourglassStiffness {
-  T membrane, bending, shear;
-};
 
 /// Resistance against the hourglass modes themselves (Belytschko, Lin and Tsay 1984, eq. 44, written in the stiffness
 /// of any section as Chiang 1992, eq. 49: E h is A11, E h^3/12 is D, kappa G h is K):
@@ -46,18 +21,10 @@ struct PlateHourglass {
   }
 };
 
-/// Nothing resists the hourglass modes.
+/// Absence of a resistance to the hourglass modes.
 struct NoPlateHourglass {
   template <class T>
   struct State {};
 };
-
-/// A stiffness against the hourglass modes of a plate, or none.
-template <class H>
-concept PlateHourglassControl =
-    std::same_as<H, NoPlateHourglass> ||
-    requires(const H control, const PlateHourglassElement<double, PlateKinematics::Moduli<double>> e) {
-      { control.stiffness(e) } -> std::same_as<PlateHourglassStiffness<double>>;
-    };
 
 }  // namespace strike

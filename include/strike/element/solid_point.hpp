@@ -5,22 +5,22 @@
 
 namespace strike {
 
-/// What a point of a solid element gives for a step.
+/// Answer of a point of a solid element to a step.
 template <class T>
 struct PointResponse {
   SymmetricTensor<T> stress;  ///< Cauchy, at the end of the step
-  T work;                     ///< done on the point, by the mean of its stresses before and after the step
+  T work;                     ///< done on the point, by the mean of its stresses before and after the step [energy]
 };
 
 /// Advances the material at a point of an element, its tensors already turned, over the step dt that changed the
-/// point's volume by dV to V. The work is done on D: that of the rate, but where an element strains its material
+/// point's volume by dV to V. The work is done on D: that of the rate, unless an element strains its material
 /// otherwise than its nodes move.
 template <class M, class State, class T>
 PointResponse<T> advance_point(const M& material, State& state, const SolidKinematics::Rate<T>& rate, double dt,
                                const T& V, const T& dV, const SymmetricTensor<T>& D) {
   SymmetricTensor<T> before = material.stress(state);
   const SymmetricTensor<T> sigma = material.stress(state, rate, dt);
-  if constexpr (requires { material.viscosity(); })  // what a material does not remember was the same before the step
+  if constexpr (requires { material.viscosity(); })  // stress that is not remembered was the same before the step
     before += sigma - material.stress(state);
   return {sigma, 0.5 * dt * double_dot(T(V - dV) * before + V * sigma, D)};
 }
@@ -30,7 +30,7 @@ PointResponse<T> advance_point(const M& material, State& state, const SolidKinem
   return advance_point(material, state, rate, dt, V, dV, rate.rate_of_deformation);
 }
 
-/// Sets a point of an element at rest; its place [length], the middle of these nodes, for a material that asks for it.
+/// Sets a point of an element at rest; its place is the middle of the nodes x, for a material whose begin takes one.
 template <class M, class State, class T, int n>
 void begin_point(const M& material, State& state, const Nodal<T, n>& x) {
   if constexpr (requires { material.begin(state, Vector3<T>()); }) {
@@ -51,14 +51,14 @@ T intact_share(const M& material, const State& state) {
     return (void)material, (void)state, T(1.0);
 }
 
-/// Gives heat per reference volume to a material that knows its energy.
+/// Gives heat per reference volume to a material with an internal energy.
 template <class State, class T>
 void heat(State& state, const T& energy) {
   if constexpr (requires { state.internal_energy; }) state.internal_energy += energy;
 }
 
-/// What has failed neither pushes nor limits the step, however distorted it is. In the step in which it fails the
-/// stress before has done its half of the work.
+/// A failed element gives no force and limits no step, however distorted it is. In the step of the failure the stress
+/// before has done its half of the work.
 template <class Flag, class T, int n>
 void zero_if_failed(const Flag& intact, Response<T, n>& response) {
   response.force = response.force.unaryExpr([&](const T& f) -> T { return select(intact, f, T(0.0)); }).eval();

@@ -4,19 +4,19 @@
 
 namespace strike {
 
-/// Bounds of the frequencies w and the rates of decay d of the modes of an element.
+/// Bounds of the frequencies w and of the rates of decay d of the modes of an element.
 template <class T>
 struct Vibration {
-  T frequency_squared;  ///< w^2
-  T decay;              ///< d
+  T frequency_squared;  ///< w^2 [1/time^2]
+  T decay;              ///< d [1/time]
 
   /// One over the largest stable step of central differences whose damping lags half a step: a mode phi of stiffness
   /// k = phi.K phi/m and damping c = phi.C phi/m needs k dt^2/4 + c dt/2 <= 1.
   T critical_rate() const { return 0.25 * decay + 0.5 * sqrt(frequency_squared + 0.25 * decay * decay); }
 };
 
-/// What the frequencies and the damping of an element follow from: S = B B^T / V^2 [1/length^2] of its gradient
-/// operator B, and its density.
+/// The source of an element's frequencies and damping: S = B B^T / V^2 [1/length^2] of its gradient operator B, and its
+/// density.
 ///
 /// For nodal masses of rho V/8 the highest frequency is bounded by
 ///   w^2 <= 8 (max(lambda, 0) tr S + 2 G L1(S)) / rho,   lambda = K - 2 G/3,   L1 the largest eigenvalue:
@@ -32,7 +32,7 @@ struct Stability {
   /// time step must use the same length, or crushed elements are damped beyond stability.
   T crossing_time(const T& wave_modulus) const { return rsqrt(2.0 * eigenvalue * wave_modulus * volume_per_mass); }
 
-  /// Of a material with these moduli and a bulk viscosity of the coefficient zeta [stress time].
+  /// Vibration with these moduli and a bulk viscosity of the coefficient zeta [stress time].
   template <class M>
   Vibration<T> vibration(const M& material, const Moduli<T>& moduli, const T& zeta) const {
     const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear), w = 8.0 * volume_per_mass;

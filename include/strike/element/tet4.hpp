@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include <strike/element/bulk_viscosity.hpp>
-#include <strike/element/element.hpp>
+#include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
 #include <strike/tensor/rotation.hpp>
@@ -46,31 +46,38 @@ struct Tet4Gradient {
   }
 };
 
-// What a tetrahedron takes for its change of volume, of which a mesh of them has more than its nodes can follow:
-// without a mean over neighbours it locks where volume can hardly change.
+// Volume from which the pressure of a tetrahedron follows. A mesh has more tetrahedra than its nodes can give volumes
+// to: without a mean over neighbours it locks where volume can hardly change.
 
-/// Its own: standard tetrahedra. A Taylor bar of them spreads by little more than half of what it should.
+/// The tetrahedron's own volume: standard tetrahedra. A Taylor bar of them spreads by little more than half of what it
+/// should.
 struct ElementPressure {};
 
-/// A share of the mean over its nodes, J = share mean(J_a) + (1 - share) V/V0, where a node's is that of all tetrahedra
-/// at it, J_a = sum V/sum V0 (Bonet and Burton 1998: share 1, for metals). What has no strength needs some of its own.
+/// A share of the mean over the nodes, J = share mean(J_a) + (1 - share) V/V0, where the volume of a node is that of
+/// all tetrahedra at it, J_a = sum V/sum V0 (Bonet and Burton 1998: share 1, for metals). Materials without strength
+/// need some of the tetrahedron's own.
 struct NodalPressure {
-  double share = 0.9;
+  double share = 0.9;  ///< from 0 to 1
 };
 
-/// The four-node tetrahedron of constant strain. Policies: where its pressure comes from, rotation of the stress, bulk
-/// viscosity, and where in the step the motion is measured.
+/// The four-node tetrahedron of constant strain. Policies: the volume of its pressure, rotation of the tensors, bulk
+/// viscosity, and the instant of the step at which the motion is measured.
 ///   Tet4{}   Tet4{NodalPressure{1.0}}   Tet4{ElementPressure{}, Jaumann{}, NoBulkViscosity{}}
 template <class Pressure = NodalPressure, class Spin = HughesWinget, class Viscosity = BulkViscosity,
           class Instant = MidStep>
 struct Tet4 {
   static constexpr bool averages_volume = std::same_as<Pressure, NodalPressure>,
-                        has_pressure = averages_volume || std::same_as<Pressure, ElementPressure>,
-                        has_rotation = Rotation<Spin>, sound = has_pressure && has_rotation;
+                        has_pressure = TetrahedralPressure<Pressure>, has_rotation = has_pressure && Rotation<Spin>,
+                        has_viscosity = has_rotation && ShockViscosity<Viscosity>,
+                        sound = has_viscosity && MeasuringInstant<Instant>;
   static_assert(has_pressure,
                 "strike: the first policy of Tet4 is where its pressure comes from: NodalPressure or ElementPressure.");
   static_assert(!has_pressure || has_rotation,
                 "strike: the second policy of Tet4 is the rotation of its tensors: HughesWinget or Jaumann.");
+  static_assert(!has_rotation || has_viscosity,
+                "strike: the third policy of Tet4 is its bulk viscosity: BulkViscosity or NoBulkViscosity.");
+  static_assert(!has_viscosity || sound,
+                "strike: the fourth policy of Tet4 is the instant at which it measures: MidStep or EndStep.");
 
   [[no_unique_address]] Pressure pressure{};
   [[no_unique_address]] Spin rotation{};
@@ -82,7 +89,7 @@ struct Tet4 {
 
   template <class T>
   struct GivenVolume {
-    T relative_volume{1.0};  ///< J that the material knows
+    T relative_volume{1.0};  ///< J given to the material
   };
   template <class T>
   struct OwnVolume {};
@@ -112,14 +119,14 @@ struct Tet4 {
     return Tet4Gradient<T>(x).volume;
   }
 
-  /// Alone it has no neighbours: its nodes have its own volume.
+  /// An element without neighbours: its nodes have its own volume.
   template <class M, class T>
   Response<T, 4> advance(State<M, T>& state, const M& material, const Nodal<T, 4>& x, const Nodal<T, 4>& v,
                          double dt) const {
     return advance(state, material, x, v, T(volume(x) * state.inverse_volume), dt);
   }
 
-  /// The mean of J_a over its nodes is `nodal_volume`.
+  /// `nodal_volume`: the mean of J_a over its nodes.
   template <class M, class T>
   Response<T, 4> advance(State<M, T>& state, const M& material, const Nodal<T, 4>& x, const Nodal<T, 4>& v,
                          const T& nodal_volume, double dt) const {
@@ -136,7 +143,7 @@ struct Tet4 {
     const SymmetricTensor<T> D = instant.to_end(spin)(symmetric_part(L_mid));
     const T theta = trace(D);
     const T dV = volume_increment<T>(V, dt * theta);
-    const SolidKinematics::Rate<T> rate = felt(state, D, theta, J, nodal_volume, dt);
+    const SolidKinematics::Rate<T> rate = material_rate(state, D, theta, J, nodal_volume, dt);
     const Moduli<T> before = material.moduli(state.material, rate);
     turn_tensors(rotation.turn(spin), state.material);
 
@@ -160,10 +167,10 @@ struct Tet4 {
   }
 
  private:
-  /// What the material feels: the change of shape of the element, and that of the volume that it is given.
+  /// The rate of the material: the change of shape of the element, and that of the volume given to it.
   template <class S, class T>
-  SolidKinematics::Rate<T> felt(S& state, const SymmetricTensor<T>& D, const T& theta, const T& J,
-                                const T& nodal_volume, double dt) const {
+  SolidKinematics::Rate<T> material_rate(S& state, const SymmetricTensor<T>& D, const T& theta, const T& J,
+                                         const T& nodal_volume, double dt) const {
     if constexpr (averages_volume) {
       const T before = state.relative_volume;
       state.relative_volume = pressure.share * nodal_volume + (1.0 - pressure.share) * J;

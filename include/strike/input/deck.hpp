@@ -3,8 +3,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/error.hpp>
 #include <strike/input/source.hpp>
 #include <strike/mesh/mesh.hpp>
@@ -25,9 +27,7 @@ struct PartCells {
       for (const auto& cell : cells) all.insert(all.end(), cell.begin(), cell.end());
     };
     add(hexahedra), add(tetrahedra), add(quadrilaterals);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    return detail::ascending(std::move(all));
   }
 };
 

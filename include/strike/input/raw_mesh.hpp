@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/ascending.hpp>
 #include <strike/input/deck.hpp>
 #include <strike/input/source.hpp>
 #include <strike/mesh/mesh.hpp>
@@ -160,9 +161,7 @@ inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numb
     }
     for (const std::size_t other : set.others)
       members.insert(members.end(), all.at(other).members.begin(), all.at(other).members.end());
-    std::sort(members.begin(), members.end());
-    members.erase(std::unique(members.begin(), members.end()), members.end());
-    all.push_back({set.number, std::move(set.name), std::move(members)});
+    all.push_back({set.number, std::move(set.name), ascending(std::move(members))});
   }
   return all;
 }

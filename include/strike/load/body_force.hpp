@@ -7,7 +7,7 @@
 
 namespace strike {
 
-/// An acceleration of all nodes, as of gravity, times a history.
+/// A body force such as gravity: an acceleration of all nodes [length/time^2] times a history.
 template <class History = Constant>
 class BodyForce {
  public:

@@ -8,8 +8,8 @@
 
 namespace strike {
 
-/// A history in straight pieces between points, level before the first and after the last. Any function of the time
-/// serves where a Curve does.
+/// A history: linear between points, constant before the first and after the last. Wherever a Curve is taken, any
+/// function double(double time) is.
 class Curve {
  public:
   struct Point {
@@ -18,12 +18,12 @@ class Curve {
 
   /// Errors: no points; times that do not increase.
   Curve(std::vector<Point> points) : points_(std::move(points)) {
-    if (points_.empty()) throw Error("A curve has no points: give it at least one.");
+    if (points_.empty()) throw Error("strike: a Curve has no points; give it at least one.");
     for (std::size_t i = 1; i < points_.size(); ++i)
       if (!(points_[i].time > points_[i - 1].time))
-        throw Error(detail::joined({"Point ", std::to_string(i), " of a curve is at time ",
+        throw Error(detail::joined({"strike: point ", std::to_string(i), " of a Curve is at time ",
                                     detail::text(points_[i].time), ", not after the one before at ",
-                                    detail::text(points_[i - 1].time), ": sort the points by time."}));
+                                    detail::text(points_[i - 1].time), "; sort the points by time."}));
   }
 
   double operator()(double time) const {
@@ -39,7 +39,7 @@ class Curve {
   std::vector<Point> points_;
 };
 
-/// The same at all times.
+/// A constant history.
 struct Constant {
   double value = 1;
   double operator()(double) const { return value; }

@@ -6,7 +6,7 @@
 
 namespace strike {
 
-/// The velocity of some or all nodes at the start.
+/// The velocity of all nodes, or of those given, at the start. Error: no such node.
 class InitialVelocity {
  public:
   explicit InitialVelocity(Eigen::Vector3d velocity) : velocity_(std::move(velocity)), everywhere_(true) {}
@@ -29,7 +29,7 @@ class InitialVelocity {
   std::vector<Index> nodes_;
 };
 
-/// The velocity of all nodes at the start as a function of their positions, Eigen::Vector3d(const Eigen::Vector3d&).
+/// The velocity of all nodes at the start by their positions, a function Eigen::Vector3d(const Eigen::Vector3d&).
 template <class Field>
 class InitialVelocityField {
  public:

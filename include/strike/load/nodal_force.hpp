@@ -7,7 +7,7 @@
 
 namespace strike {
 
-/// A force on each of some nodes, times a history; its direction stays.
+/// A force on each of some nodes, times a history; its direction is fixed in space. Error: no such node.
 template <class History = Constant>
 class NodalForce {
  public:

@@ -12,22 +12,39 @@ namespace strike {
 
 namespace detail {
 
-/// Nodes whose velocity along a direction is given for each step; the work of the forces that it takes is external.
+/// The velocity of a step from a history of velocity, v(t + dt/2).
+struct FromVelocity {
+  template <class History>
+  static double velocity(const History& v, const Step& step) {
+    return v(step.time + 0.5 * step.dt);
+  }
+};
+/// The velocity of a step from a history of displacement, (u(t + dt) - u(t))/dt.
+struct FromDisplacement {
+  template <class History>
+  static double velocity(const History& u, const Step& step) {
+    return (u(step.time + step.dt) - u(step.time)) / step.dt;
+  }
+};
+
+/// Nodes that move along a direction with the velocity that a history prescribes for each step; the work of the forces
+/// that this takes is external. Errors: no such node; a direction that another condition holds.
+template <class History, class Kind>
 class PrescribedMotion {
  public:
-  PrescribedMotion(const Eigen::Vector3d& direction, std::vector<Index> nodes)
-      : direction_(direction.normalized()), nodes_(std::move(nodes)) {}
+  PrescribedMotion(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
+      : direction_(direction.normalized()), nodes_(std::move(nodes)), history_(std::move(history)) {}
+  PrescribedMotion(Axis axis, std::vector<Index> nodes, History history)
+      : PrescribedMotion(unit(axis), std::move(nodes), std::move(history)) {}
 
   template <class N>
   void begin(N& nodes) const {
     for (const Index i : nodes_) nodes.hold(i, direction_, Held::moved);
   }
 
-  template <class Archive>
-  void serialize(Archive&) {}
-
   template <class N, class Ledger>
-  void impose(double velocity, N& nodes, const Step& step, Ledger& ledger) const {
+  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
+    const double velocity = Kind::velocity(history_, step);
     for (const Index i : nodes_) {
       const typename N::Vector v = nodes.v(i);
       const double m = nodes.mass(i);
@@ -38,53 +55,36 @@ class PrescribedMotion {
     }
   }
 
+  template <class Archive>
+  void serialize(Archive&) {}
+
  private:
   Eigen::Vector3d direction_;
   std::vector<Index> nodes_;
+  History history_;
 };
 
 }  // namespace detail
 
-/// Nodes that move along a direction with a given history of velocity, v(t).
+/// Nodes that move along a direction with a history of velocity, v(t).
+///   PrescribedVelocity{Axis::x, nodes, Curve{{{0, 0}, {1e-3, 5}}}}
 template <class History>
-class PrescribedVelocity : detail::PrescribedMotion {
- public:
-  using PrescribedMotion::begin;
-  using PrescribedMotion::serialize;
-
-  PrescribedVelocity(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
-      : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}
-  PrescribedVelocity(Axis axis, std::vector<Index> nodes, History history)
-      : PrescribedVelocity(unit(axis), std::move(nodes), std::move(history)) {}
-
-  template <class N, class Ledger>
-  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
-    this->impose(history_(step.time + 0.5 * step.dt), nodes, step, ledger);
-  }
-
- private:
-  History history_;
+class PrescribedVelocity : public detail::PrescribedMotion<History, detail::FromVelocity> {
+  using detail::PrescribedMotion<History, detail::FromVelocity>::PrescribedMotion;
 };
-
-/// Nodes that move along a direction with a given history of displacement, u(t), exactly at every step.
 template <class History>
-class PrescribedDisplacement : detail::PrescribedMotion {
- public:
-  using PrescribedMotion::begin;
-  using PrescribedMotion::serialize;
+PrescribedVelocity(Eigen::Vector3d, std::vector<Index>, History) -> PrescribedVelocity<History>;
+template <class History>
+PrescribedVelocity(Axis, std::vector<Index>, History) -> PrescribedVelocity<History>;
 
-  PrescribedDisplacement(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
-      : PrescribedMotion(direction, std::move(nodes)), history_(std::move(history)) {}
-  PrescribedDisplacement(Axis axis, std::vector<Index> nodes, History history)
-      : PrescribedDisplacement(unit(axis), std::move(nodes), std::move(history)) {}
-
-  template <class N, class Ledger>
-  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
-    this->impose((history_(step.time + step.dt) - history_(step.time)) / step.dt, nodes, step, ledger);
-  }
-
- private:
-  History history_;
+/// Nodes that move along a direction with a history of displacement, u(t), which they have exactly at every step.
+template <class History>
+class PrescribedDisplacement : public detail::PrescribedMotion<History, detail::FromDisplacement> {
+  using detail::PrescribedMotion<History, detail::FromDisplacement>::PrescribedMotion;
 };
+template <class History>
+PrescribedDisplacement(Eigen::Vector3d, std::vector<Index>, History) -> PrescribedDisplacement<History>;
+template <class History>
+PrescribedDisplacement(Axis, std::vector<Index>, History) -> PrescribedDisplacement<History>;
 
 }  // namespace strike

@@ -8,8 +8,8 @@
 
 namespace strike {
 
-/// A pressure p(t) on faces, along their normals as they move: each corner takes its equal share of -p times the vector
-/// area, so that the resultant is exact on any face.
+/// A pressure p(t) on faces, along their current normals: each corner takes an equal share of -p times the vector area,
+/// so that the resultant is exact on any face. Error: no such node.
 template <class History>
 class Pressure {
  public:
@@ -53,7 +53,7 @@ class Pressure {
 
   std::vector<Face> faces_;
   History history_;
-  std::vector<Eigen::Vector3d> forces_;  // on each corner of a face, as pushed last
+  std::vector<Eigen::Vector3d> forces_;  // on each corner of each face, as applied last
 };
 
 }  // namespace strike

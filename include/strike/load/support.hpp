@@ -8,8 +8,8 @@
 
 namespace strike {
 
-/// Nodes that do not move along some directions and, where plates turn them, do not turn about some axes. Supports may
-/// meet at any angle.
+/// A support: nodes that do not move along some directions and, where plates turn them, do not turn about some axes.
+/// Supports may meet at any angle. Errors: no such node; a held direction whose motion is prescribed.
 ///   Support{edge, {unit(Axis::z)}, {unit(Axis::x)}}   // a hard simple support along y: slides, and turns about y
 class Support {
  public:
@@ -27,7 +27,7 @@ class Support {
 
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) const {
-    double work = 0;  // not zero only where a node strikes what holds it
+    double work = 0;  // of nodes that move along a held direction at the start
     using Vector = typename N::Vector;
     const auto without = [&](const Vector& v, const Eigen::Vector3d& held, double m, const Vector& f) {
       const typename N::Number along = v.dot(held), before = along - step.kick() / m * f.dot(held);
@@ -47,7 +47,7 @@ class Support {
  private:
   struct Hold {
     Index node;
-    Eigen::Vector3d held;  // less what another support holds already
+    Eigen::Vector3d held;  // less the part that another support holds already
   };
 
   std::vector<Index> nodes_;
@@ -55,7 +55,7 @@ class Support {
   std::vector<Hold> motions_, turns_;
 };
 
-/// Nodes that neither move nor turn.
+/// A clamped support: nodes that neither move nor turn.
 class Clamped : public Support {
  public:
   explicit Clamped(std::vector<Index> nodes)
@@ -63,16 +63,17 @@ class Clamped : public Support {
                 {unit(Axis::x), unit(Axis::y), unit(Axis::z)}) {}
 };
 
-/// Nodes that do not move, but turn.
+/// A pinned support: nodes that do not move, but turn.
 class Pinned : public Support {
  public:
   explicit Pinned(std::vector<Index> nodes)
       : Support(std::move(nodes), {unit(Axis::x), unit(Axis::y), unit(Axis::z)}) {}
 };
 
+/// Another name of Pinned.
 using Hinged = Pinned;
 
-/// Nodes in a plane of symmetry: they do not move along its normal and turn about that alone.
+/// A plane of symmetry: its nodes do not move along the normal, and turn about that alone.
 class Symmetry : public Support {
  public:
   Symmetry(const Eigen::Vector3d& normal, std::vector<Index> nodes)
@@ -80,7 +81,7 @@ class Symmetry : public Support {
   Symmetry(Axis axis, std::vector<Index> nodes) : Symmetry(unit(axis), std::move(nodes)) {}
 
  private:
-  /// A vector at right angles to another.
+  /// A vector orthogonal to another.
   static Eigen::Vector3d across(const Eigen::Vector3d& normal) {
     Eigen::Index least;
     normal.cwiseAbs().minCoeff(&least);

@@ -7,8 +7,8 @@ namespace strike {
 
 /// Isotropic hypoelasticity: the objective rate of the Cauchy stress is lambda tr(D) I + 2 G D.
 struct Elastic {
-  double density;  ///< in the undeformed configuration
-  double youngs_modulus;
+  double density;         ///< in the undeformed configuration
+  double youngs_modulus;  ///< [stress]
   double poissons_ratio = 0;
 
   using Kinematics = SolidKinematics;

@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -7,10 +8,22 @@
 
 namespace strike {
 
-/// A detonation that starts from a point.
+/// Start of a detonation.
+///
+/// Requirements
+/// 1. `time`: of the start [time].
+/// 2. `distance(x)`: from where it starts to the place x, not negative [length]; a template over the number.
+/// Models: DetonationPoint, DetonationPlane.
+template <class I>
+concept Ignition = requires(const I ignition, const Vector3<double> x) {
+  { ignition.time } -> std::convertible_to<double>;
+  { ignition.distance(x) } -> std::convertible_to<double>;
+};
+
+/// A detonation that starts at a point.
 struct DetonationPoint {
   Eigen::Vector3d place;
-  double time = 0;
+  double time = 0;  ///< of the start
 
   template <class T>
   T distance(const Vector3<T>& x) const {
@@ -19,10 +32,10 @@ struct DetonationPoint {
   }
 };
 
-/// A detonation that starts from a plane and runs along its normal, and the other way.
+/// A detonation that starts on a plane and runs away from it on both sides.
 struct DetonationPlane {
   Eigen::Vector3d place, normal;
-  double time = 0;
+  double time = 0;  ///< of the start
 
   template <class T>
   T distance(const Vector3<T>& x) const {
@@ -31,42 +44,53 @@ struct DetonationPlane {
   }
 };
 
-/// How a detonation is programmed.
+/// Programmed burn.
 struct Burn {
-  double detonation_velocity;  ///< D
-  double front_width;          ///< w, over which the front is spread: 3 to 6 elements [length]
-  double pressure_CJ = 0;      ///< p_CJ of Chapman and Jouguet; 0: compression burns nothing
+  double detonation_velocity;  ///< D [length/time]
+  double front_width;          ///< w of the burning front, 3 to 6 elements [length]
+  double pressure_CJ = 0;      ///< p_CJ of Chapman and Jouguet [stress]; 0: no burning by compression
 };
 
 /// An explosive (Wilkins 1964; LS-DYNA *MAT_HIGH_EXPLOSIVE_BURN): the pressure is F times that of its products,
 ///   F = max(D (t - t0)/w, (1 - V)/(1 - V_CJ)),  V_CJ = 1 - p_CJ/(rho0 D^2),  from 0 to 1 and never back.
-/// t0 is when the front comes by from where it starts; the second term is what compression burns. What is not lit yet
-/// resists nothing.
+/// t0 is the arrival of the front from where it starts; the second term is burning by compression. Explosive that is
+/// not lit yet resists nothing.
 ///   Explosive{tnt, DetonationPoint{{0, 0, 0}}, Burn{.detonation_velocity = 6930, .front_width = 0.01}}
-template <ThermalEquationOfState Eos, class Ignition>
+template <class Eos, class Start>
 struct Explosive {
+  static constexpr bool has_products = ThermalEquationOfState<Eos>,
+                        sound_products = has_products && detail::eos_flaw<Eos>() == detail::EosFlaw::none,
+                        has_ignition = Ignition<Start>, sound = sound_products && has_ignition;
+  static_assert(has_products,
+                "strike: the first piece of an Explosive is the equation of state of its products, with A(mu) and "
+                "B(mu), such as Jwl.");
+  static_assert(!sound_products || has_ignition,
+                "strike: the second piece of an Explosive is where its detonation starts: DetonationPoint, "
+                "DetonationPlane, or one of your own with time and distance(x).");
+  static_assert(instantiates(static_cast<detail::EosReport<Eos>*>(nullptr)));
+
   Eos products;
-  Ignition ignition;
+  Start ignition;
   Burn burn;
 
   using Kinematics = SolidKinematics;
 
   template <class T>
   struct State : EosState<Eos, T> {
-    T pressure{};
+    T pressure{};        ///< F (A + B E) [stress]
     T burnt{};           ///< F
     T time_since_lit{};  ///< t - t0 [time]
   };
 
   double density() const { return products.density; }
-  /// The state before the first step of what is lit when the detonation starts.
+  /// The state at rest where the detonation starts, ...
   template <class T>
   void begin(State<T>& state) const {
     state = {};
     begin_eos(products, state);
     state.time_since_lit = T(-ignition.time);
   }
-  /// That of a point at this place.
+  /// ... and at a place.
   template <class T>
   void begin(State<T>& state, const Vector3<T>& place) const {
     begin(state);
@@ -82,10 +106,8 @@ struct Explosive {
     if (burn.pressure_CJ > 0) burnt = max(burnt, burn_by_compression() * (1.0 - J));
     state.burnt = min(T(1.0), burnt);
 
-    // as advance_pressure, with F A and F B
-    const T energy = state.internal_energy - 0.5 * state.pressure * dv, B = state.burnt * products.B(mu);
-    state.pressure = (state.burnt * products.A(mu) + B * energy) / max(T(0.1), 1.0 + 0.5 * B * dv);
-    state.internal_energy = energy - 0.5 * state.pressure * dv;
+    state.pressure = detail::advance_energy<Eos, T>(products, state.internal_energy, state.burnt * products.A(mu),
+                                                    state.burnt * products.B(mu), dv, state.pressure, T(0.0));
     return stress(std::as_const(state));
   }
 
@@ -94,7 +116,7 @@ struct Explosive {
     return SymmetricTensor<T>::isotropic(-state.pressure);
   }
 
-  /// Bounds: that of the products, whether they are there yet or not, and what burning adds, J p/(1 - V_CJ).
+  /// Bounds of the products, whether burnt or not, and of the burning by compression, J p/(1 - V_CJ).
   template <class T>
   Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
     const T& J = rate.relative_volume;
@@ -111,7 +133,7 @@ struct Explosive {
     return products.density * D * D / burn.pressure_CJ;
   }
 };
-template <class Eos, class Ignition>
-Explosive(Eos, Ignition, Burn) -> Explosive<Eos, Ignition>;
+template <class Eos, class Start>
+Explosive(Eos, Start, Burn) -> Explosive<Eos, Start>;
 
 }  // namespace strike

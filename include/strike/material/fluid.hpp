@@ -4,26 +4,28 @@
 
 namespace strike {
 
-/// No resistance to a change of shape at all.
+/// Absence of viscosity.
 struct Inviscid {};
 
-/// s = 2 eta dev(D).
+/// Newtonian viscosity, s = 2 eta dev(D).
 struct Newtonian {
   double viscosity;  ///< eta, dynamic [stress time]
 };
 
-/// A fluid: an equation of state, and if it is viscous a viscosity. It remembers its pressure, so it has nothing to
-/// turn.
-template <class Eos, class Viscosity = Inviscid>
+/// A fluid: an equation of state, and if it is viscous a viscosity, Inviscid or Newtonian. Its memory is the pressure,
+/// so that no tensor is turned.
+template <class Eos, class Viscosity = Inviscid, class... More>
 struct Fluid {
-  static constexpr bool has_eos = EquationOfState<Eos>,
+  static constexpr bool has_eos = detail::eos_flaw<Eos>() != detail::EosFlaw::absent,
+                        sound_eos = detail::eos_flaw<Eos>() == detail::EosFlaw::none,
                         has_viscosity = std::same_as<Viscosity, Inviscid> || std::same_as<Viscosity, Newtonian>,
-                        sound = has_eos && has_viscosity;
+                        sound = sound_eos && has_viscosity;
   static_assert(
       has_eos,
       "strike: the first piece of a Fluid is its equation of state, with a density and A(mu), such as CubicEos.");
-  static_assert(!has_eos || has_viscosity,
+  static_assert(!sound_eos || has_viscosity,
                 "strike: the second piece of a Fluid is its viscosity, Inviscid or Newtonian.");
+  static_assert(instantiates(static_cast<detail::EosReport<Eos>*>(nullptr)));
 
   Eos eos;
   [[no_unique_address]] Viscosity viscous{};
@@ -36,7 +38,7 @@ struct Fluid {
   };
 
   double density() const { return eos.density; }
-  /// The state before the first step.
+  /// The state at rest.
   template <class T>
   void begin(State<T>& state) const {
     state = {};
@@ -75,9 +77,21 @@ struct Fluid {
   }
 };
 
+/// Fallback for a Fluid with too many pieces: its static_assert reports it.
+template <class Eos, class Viscosity, class... More>
+  requires(sizeof...(More) > 0)
+struct Fluid<Eos, Viscosity, More...> {
+  static_assert(sizeof...(More) == 0,
+                "strike: a Fluid has one or two pieces, its equation of state and its viscosity: a failure law stands "
+                "in a Solid.");
+  static constexpr bool sound = false;
+  using Kinematics = SolidKinematics;
+  Fluid(const Eos&, const Viscosity&, const More&...) {}
+};
+
 template <class Eos>
 Fluid(Eos) -> Fluid<Eos>;
-template <class Eos, class Viscosity>
-Fluid(Eos, Viscosity) -> Fluid<Eos, Viscosity>;
+template <class Eos, class Viscosity, class... More>
+Fluid(Eos, Viscosity, More...) -> Fluid<Eos, Viscosity, More...>;
 
 }  // namespace strike

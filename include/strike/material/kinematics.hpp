@@ -4,10 +4,11 @@
 
 namespace strike {
 
-// Conjugate pairs: what an element measures in a step, what its material answers, and the stiffness of that answer,
-// from which a stable step follows.
+// Conjugate pairs of a measure of motion and a stress. The product of a rate and a stress is a power: an element
+// measures the rate, its material answers with the stress, and the moduli bound the tangent, from which a stable step
+// follows.
 
-/// Bulk and shear modulus of a material as it stands: they bound its tangent, rho c^2 = bulk + 4/3 shear.
+/// Bulk and shear modulus of a material in its present state [stress]: they bound its tangent, rho c^2 = K + 4/3 G.
 template <class T>
 struct Moduli {
   T bulk, shear;
@@ -22,6 +23,11 @@ struct SolidKinematics {
   struct Rate {
     SymmetricTensor<T> rate_of_deformation;  ///< D = sym(L) at mid-step [1/time]
     T relative_volume{1.0};                  ///< V/V0 at the end of the step
+
+    template <class Condition>
+    friend Rate select(const Condition& c, const Rate& a, const Rate& b) {
+      return {select(c, a.rate_of_deformation, b.rate_of_deformation), select(c, a.relative_volume, b.relative_volume)};
+    }
   };
   template <class T>
   using Stress = SymmetricTensor<T>;  ///< Cauchy stress, tension positive
@@ -45,12 +51,17 @@ struct PlaneModuli {
   T wave() const { return normal; }
 };
 
-/// The pair of a point in the thickness of a plate. Its frame goes with the plate, so that no tensor is turned; the
-/// stress across is zero.
+/// The pair of a point in the thickness of a plate, in the frame of the plate, so that no tensor is turned; the stress
+/// across is zero.
 struct PlaneStressKinematics {
   template <class T>
   struct Rate {
     PlaneTensor<T> rate_of_deformation;  ///< D in the plane, at mid-step [1/time]
+
+    template <class Condition>
+    friend Rate select(const Condition& c, const Rate& a, const Rate& b) {
+      return {select(c, a.rate_of_deformation, b.rate_of_deformation)};
+    }
   };
   template <class T>
   using Stress = PlaneTensor<T>;  ///< Cauchy stress, tension positive
@@ -58,8 +69,8 @@ struct PlaneStressKinematics {
   using Moduli = PlaneModuli<T>;
 };
 
-/// The pair of the plates: a material point at the height z over the reference surface is strained by membrane + z
-/// curvature, and what its stress does follows from resultants per width. The frame goes with the plate.
+/// The pair of the plates, in the frame of the plate. A point at the height z over the reference surface is strained by
+/// membrane + z curvature; its stress counts by resultants per width.
 struct PlateKinematics {
   template <class T>
   struct Rate {
@@ -73,7 +84,7 @@ struct PlateKinematics {
     PlaneTensor<T> force{};                 ///< N = int sigma dz [force/length]
     PlaneTensor<T> moment{};                ///< M = int sigma z dz [force]
     Vector2<T> shear = Vector2<T>::Zero();  ///< Q_x, Q_y [force/length]
-    T normal_rate{};                        ///< d_zz, the mean rate at which the thickness grows [1/time]
+    T normal_rate{};                        ///< d_zz, the mean rate of growth of the thickness [1/time]
   };
   /// Bounds of the section's tangent, per width: int (1, z, z^2) of E/(1 - nu^2) and G, and the transverse shear.
   template <class T>

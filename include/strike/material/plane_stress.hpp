@@ -17,7 +17,7 @@ namespace detail {
 template <class Failure>
 inline constexpr bool leaves_fluid = requires(typename Failure::template State<double> state) { state.solid; };
 
-/// The solids whose elasticity is linear and isotropic, as a Solid.
+/// A solid of linear isotropic elasticity, seen as a Solid.
 template <class S>
 struct LinearSolid {
   static constexpr bool is = false;
@@ -39,92 +39,106 @@ struct LinearSolid<Solid<LinearEos, Law, Failure>> {
   static const Parts& parts(const Parts& solid) { return solid; }
 };
 
-/// The shares of the mean and of the shear in the square of a trial q; and what is left of them by the return of
-/// PlaneStress, after the plastic increment.
+/// Return of a point to the yield surface: m and d, the parts of the mean and of the shear in the square of the trial
+/// q; the factors of both after the return; and the plastic increment.
 template <class T>
 struct PlaneReturn {
   T m, d;
   T mean{1.0}, shear{1.0}, plastic_increment{0.0};
 };
 
-/// The returns at the n points of a layer, side by side, for each is a long chain of dependent operations.
+/// The returns at the n points of a layer by a law's own plastic increment, interleaved, because each is a long chain
+/// of dependent operations.
+///
+/// f = 1 - p [kappa + (1 - kappa) t(Q(p))] = 0 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa, by Householder's steps of
+/// fourth order, n [1 - A2 n + (2 A2^2 - A3) n^2] with Newton's n, A2 = f''/(2 f'), A3 = f'''/(6 f'). Hardening is
+/// nearly linear in a step, dl'' = 0; then t is linear in 1/Q, and with the share of the mean b = m p^2/Q^2
+///   Q' = Q b/p,  Q'' = Q b (1 - b)/p^2,  t' = y b/p,  t'' = y b (1 - 3 b)/p^2,  y = 1 - t - 3 G dl'.
+template <FlowLaw S, class State, class T, std::size_t n>
+void plane_return_by_increment(const S& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns,
+                               double kappa, double dt) {
+  using D = Dual<T, 1>;
+  constexpr double epsilon = std::numeric_limits<RealOf<T>>::epsilon();
+  const double G3 = 3.0 * law.shear_modulus;
+  struct Iterate {
+    T p, lower, upper, Q, per_Q;
+    D dl;
+  };
+  std::array<Iterate, n> iterates;
+  for (Iterate& at : iterates) at.p = at.lower = T(1.0), at.upper = T(1.0 / kappa);
+  bool yields = true;
+  for (int i = 0; yields && i < 50; ++i) {
+    yields = i > 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      Iterate& at = iterates[k];
+      const T Q2 = max(T(least_square<T>), returns[k].d + returns[k].m * at.p * at.p);
+      at.per_Q = rsqrt(Q2), at.Q = Q2 * at.per_Q;
+      at.dl = law.plastic_increment(D::variable(at.Q, 0), D(states[k].equivalent_plastic_strain), dt);
+      yields |= any(at.dl.value() > 0.0);
+    }
+    if (!yields) break;
+    yields = false;
+    for (std::size_t k = 0; k < n; ++k) {
+      auto& [m, d, mean, shear, plastic_increment] = returns[k];
+      auto& [p, lower, upper, Q, per_Q, dl] = iterates[k];
+      const T curvature = m * per_Q * per_Q, slope = curvature * p, b = slope * p;  // Q'/Q = slope
+      const T t = 1.0 - G3 * dl.value() * per_Q, y = 1.0 - t - G3 * dl.derivative(0);
+      const T f = (1.0 - kappa * p) - (1.0 - kappa) * p * t, per_df = -1.0 / (kappa + (1.0 - kappa) * (t + b * y));
+      const T newton = -f * per_df, h = (1.0 - kappa) * (1.0 - b) * y * per_df;  // A2 = -3/2 h slope
+      T next = p + newton * (1.0 + newton * h * (1.5 * slope + 0.5 * newton * curvature * (1.0 + b * (9.0 * h - 5.0))));
+      if (i > 2) {  // softening: bisect outside the bracket
+        lower = select(f >= 0.0, p, lower);
+        upper = select(f >= 0.0, upper, p);
+        next = select(next >= lower && next <= upper, next, 0.5 * (lower + upper));
+      }
+      const T step = next - p, bend = 0.5 * step * curvature;
+      p = next;
+      shear = t + step * y * (slope + bend * ((1.0 - 3.0 * b) - step * slope * (3.0 - 5.0 * b)));
+      mean = shear * p;
+      plastic_increment =
+          dl.value() + dl.derivative(0) * (Q * step * (slope + bend * (1.0 - b) * (1.0 - step * slope)));
+      yields |= any(step * step * step * step > 16.0 * epsilon);
+    }
+  }
+}
+
+/// The returns at the n points of a layer by the root x = 1 - t = 3 G dl/Q of the flow stress.
+template <FlowLaw S, class State, class T, std::size_t n>
+void plane_return_by_root(const S& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns,
+                          double kappa, double dt) {
+  using D = Dual<T, 1>;
+  constexpr double epsilon = std::numeric_limits<RealOf<T>>::epsilon();
+  constexpr double least = least_square<T>;
+  const double G3 = 3.0 * law.shear_modulus;
+  for (std::size_t k = 0; k < n; ++k) {
+    auto& [m_, d_, mean, shear, plastic_increment] = returns[k];
+    const T &m = m_, &d = d_, &e = states[k].equivalent_plastic_strain;
+    const T Q2 = max(T(least), d + m), Q = Q2 * rsqrt(Q2);
+    const T excess = Q - flow_stress<S, T>(law, states[k], e, T(0.0));
+    const auto yields = excess > 0.0;
+    if (!(dt > 0) || !any(yields)) continue;
+    const auto trial = [&](const auto& x) {
+      using U = std::decay_t<decltype(x)>;
+      const U p = 1.0 / (1.0 - (1.0 - kappa) * x);
+      return U(sqrt(max(U(least), d + m * p * p)));
+    };
+    const auto residual = [&](const D& x) -> D {
+      const D Q_x = trial(x), dl = (1.0 / G3) * Q_x * x;
+      return Q_x - Q_x * x - flow_stress<S, D>(law, states[k], e + dl, (1.0 / dt) * dl);
+    };
+    T x = falling_root<T>(residual, select(yields, T(excess / Q), T(0.5)), yields, T(32.0 * epsilon) * Q);
+    x = select(yields, x, T(0.0));
+    shear = 1.0 - x, mean = (1.0 - x) / (1.0 - (1.0 - kappa) * x), plastic_increment = (1.0 / G3) * trial(x) * x;
+  }
+}
+
 template <FlowLaw S, class State, class T, std::size_t n>
 void plane_return(const S& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns, double kappa,
                   double dt) {
-  using D = Dual<T, 1>;
-  using Real = RealOf<T>;
-  constexpr double epsilon = std::numeric_limits<Real>::epsilon();
-  constexpr double least = least_square<T>;
-  const double G3 = 3.0 * law.shear_modulus;
-  if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); }) {
-    // f = 1 - p [kappa + (1 - kappa) t(Q(p))] = 0 with t = 1 - 3 G dl/Q, for 1 <= p <= 1/kappa, by Householder's steps
-    // of fourth order, n [1 - A2 n + (2 A2^2 - A3) n^2] with Newton's n, A2 = f''/(2 f'), A3 = f'''/(6 f'). Hardening
-    // is nearly linear in a step, dl'' = 0; then t is linear in 1/Q, and with the share of the mean b = m p^2/Q^2
-    //   Q' = Q b/p,  Q'' = Q b (1 - b)/p^2,  t' = y b/p,  t'' = y b (1 - 3 b)/p^2,  y = 1 - t - 3 G dl'.
-    struct Iterate {
-      T p, lower, upper, Q, per_Q;
-      D dl;
-    };
-    std::array<Iterate, n> iterates;
-    for (Iterate& at : iterates) at.p = at.lower = T(1.0), at.upper = T(1.0 / kappa);
-    bool yields = true;
-    for (int i = 0; yields && i < 50; ++i) {
-      yields = i > 0;
-      for (std::size_t k = 0; k < n; ++k) {
-        Iterate& at = iterates[k];
-        const T Q2 = max(T(least), returns[k].d + returns[k].m * at.p * at.p);
-        at.per_Q = rsqrt(Q2), at.Q = Q2 * at.per_Q;
-        at.dl = law.plastic_increment(D::variable(at.Q, 0), D(states[k].equivalent_plastic_strain), dt);
-        yields |= any(at.dl.value() > 0.0);
-      }
-      if (!yields) break;
-      yields = false;
-      for (std::size_t k = 0; k < n; ++k) {
-        auto& [m, d, mean, shear, plastic_increment] = returns[k];
-        auto& [p, lower, upper, Q, per_Q, dl] = iterates[k];
-        const T curvature = m * per_Q * per_Q, slope = curvature * p, b = slope * p;  // Q'/Q = slope
-        const T t = 1.0 - G3 * dl.value() * per_Q, y = 1.0 - t - G3 * dl.derivative(0);
-        const T f = (1.0 - kappa * p) - (1.0 - kappa) * p * t, per_df = -1.0 / (kappa + (1.0 - kappa) * (t + b * y));
-        const T newton = -f * per_df, h = (1.0 - kappa) * (1.0 - b) * y * per_df;  // A2 = -3/2 h slope
-        T next =
-            p + newton * (1.0 + newton * h * (1.5 * slope + 0.5 * newton * curvature * (1.0 + b * (9.0 * h - 5.0))));
-        if (i > 2) {  // softening may lead astray
-          lower = select(f >= 0.0, p, lower);
-          upper = select(f >= 0.0, upper, p);
-          next = select(next >= lower && next <= upper, next, 0.5 * (lower + upper));
-        }
-        const T step = next - p, bend = 0.5 * step * curvature;
-        p = next;
-        shear = t + step * y * (slope + bend * ((1.0 - 3.0 * b) - step * slope * (3.0 - 5.0 * b)));
-        mean = shear * p;
-        plastic_increment =
-            dl.value() + dl.derivative(0) * (Q * step * (slope + bend * (1.0 - b) * (1.0 - step * slope)));
-        yields |= any(step * step * step * step > 16.0 * epsilon);
-      }
-    }
-  } else {
-    for (std::size_t k = 0; k < n; ++k) {
-      auto& [m_, d_, mean, shear, plastic_increment] = returns[k];
-      const T &m = m_, &d = d_, &e = states[k].equivalent_plastic_strain;
-      const T Q2 = max(T(least), d + m), Q = Q2 * rsqrt(Q2);
-      const T excess = Q - flow_stress<S, T>(law, states[k], e, T(0.0));
-      const auto yields = excess > 0.0;
-      if (!(dt > 0) || !any(yields)) continue;
-      // In x = 1 - t = 3 G dl/Q.
-      const auto trial = [&](const auto& x) {
-        using U = std::decay_t<decltype(x)>;
-        const U p = 1.0 / (1.0 - (1.0 - kappa) * x);
-        return U(sqrt(max(U(least), d + m * p * p)));
-      };
-      const auto residual = [&](const D& x) -> D {
-        const D Q_x = trial(x), dl = (1.0 / G3) * Q_x * x;
-        return Q_x - Q_x * x - flow_stress<S, D>(law, states[k], e + dl, (1.0 / dt) * dl);
-      };
-      T x = falling_root<T>(residual, select(yields, T(excess / Q), T(0.5)), yields, T(32.0 * epsilon) * Q);
-      x = select(yields, x, T(0.0));
-      shear = 1.0 - x, mean = (1.0 - x) / (1.0 - (1.0 - kappa) * x), plastic_increment = (1.0 / G3) * trial(x) * x;
-    }
-  }
+  if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); })
+    plane_return_by_increment<S, State, T, n>(law, states, returns, kappa, dt);
+  else
+    plane_return_by_root<S, State, T, n>(law, states, returns, kappa, dt);
 }
 
 }  // namespace detail
@@ -135,9 +149,9 @@ void plane_return(const S& law, std::span<const State, n> states, std::array<Pla
 ///   s = s_trial/(1 + kappa z),  r = r_trial/(1 + z),  z = 3 G dl/q,  kappa = E/(6 G (1 - nu)) = 3 K/(3 K + 4 G)
 /// With t = 1/(1 + z) and p = (1 + z)/(1 + kappa z) this is r = t r_trial, s = t p s_trial, q = t Q with
 ///   Q^2 = s_trial^2/4 p^2 + 3/4 r_trial^2 + 3 sxy_trial^2,    q = Q - 3 G dl,    1/p = kappa + (1 - kappa) t
-/// so that for a given p the increment is that of the radial return of a solid whose trial stress is Q.
+/// so that for a given p the increment is that of a radial return from the trial stress Q.
 ///   PlaneStress aluminium{Solid{LinearEos{...}, VonMises{...}}};
-/// Volume changes by elasticity alone, and in so far as it is small: for other equations of state see ZeroNormalStress.
+/// Volume strains are elastic and small; for other equations of state see ZeroNormalStress.
 template <class S>
 struct PlaneStress {
   static constexpr bool is_linear = detail::LinearSolid<S>::is, sound = is_linear;
@@ -159,7 +173,7 @@ struct PlaneStress {
 
   double density() const { return density_of(solid); }
 
-  /// What the user should know, if anything.
+  /// A text for the user, empty if there is nothing to say.
   std::string warning() const
     requires requires(S s) { s.warning(); }
   {
@@ -171,7 +185,7 @@ struct PlaneStress {
     advance<T, 1>(std::span<State<T>, 1>(&state, 1), std::span<const PlaneStressKinematics::Rate<T>, 1>(&rate, 1), dt);
     return state.stress;
   }
-  /// The same of n points at once, which takes less time.
+  /// The stresses of n points at once, which takes less time.
   template <class T, std::size_t n>
   std::array<PlaneTensor<T>, n> stresses(std::array<State<T>, n>& points,
                                          const std::array<PlaneStressKinematics::Rate<T>, n>& rates, double dt) const {
@@ -193,23 +207,23 @@ struct PlaneStress {
     return {T(G * (1 + 3 * mean_factor(parts))), T(G)};
   }
 
-  /// d_zz of the step: tr(stress)/(3 K) is the volume strain, whatever has flowed.
+  /// d_zz of the step [1/time]: tr(stress)/(3 K) is the volume strain, with or without plastic flow.
   template <class T>
   T normal_rate(const State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt,
                 const PlaneTensor<T>& change) const {
     const double K3 = 3 * detail::LinearSolid<S>::parts(solid).eos.bulk_modulus;
-    return (1 / (K3 * dt)) * trace(change) - trace(felt(state, rate.rate_of_deformation));
+    return (1 / (K3 * dt)) * trace(change) - trace(detail::rate_if_intact(*this, state, rate).rate_of_deformation);
   }
 
   template <class T>
-    requires requires(State<T> state) { state.intact; }
+    requires detail::has_intact<State<T>>
   T intact(const State<T>& state) const {
     return state.intact;
   }
 
  private:
   template <class T>
-  static constexpr bool can_fail = requires(State<T> state) { state.intact; };
+  static constexpr bool can_fail = detail::has_intact<State<T>>;
 
   template <class T, std::size_t n>
   void advance(std::span<State<T>, n> points, std::span<const PlaneStressKinematics::Rate<T>, n> rates,
@@ -221,7 +235,7 @@ struct PlaneStress {
     for (std::size_t k = 0; k < n; ++k) {
       PlaneTensor<T>& stress = points[k].stress;
       if constexpr (can_fail<T>) strains_old[k] = detail::plastic_strain<T>(points[k]);
-      const PlaneTensor<T> d = T(dt) * felt(points[k], rates[k].rate_of_deformation);
+      const PlaneTensor<T> d = T(dt) * detail::rate_if_intact(*this, points[k], rates[k]).rate_of_deformation;
       const T s = trace(stress) + (6.0 * G * kappa) * trace(d), r = stress.xx - stress.yy + (2.0 * G) * (d.xx - d.yy);
       stress = {0.5 * (s + r), 0.5 * (s - r), stress.xy + (2.0 * G) * d.xy};
       if constexpr (FlowLaw<Law>) returns[k] = {.m = 0.25 * s * s, .d = 0.75 * r * r + 3.0 * stress.xy * stress.xy};
@@ -252,15 +266,6 @@ struct PlaneStress {
   static double mean_factor(const Parts& parts) {
     const double K3 = 3 * parts.eos.bulk_modulus;
     return K3 / (K3 + 4 * parts.strength.shear_modulus);
-  }
-
-  /// What has failed feels no motion, however wild.
-  template <class T>
-  static PlaneTensor<T> felt(const State<T>& state, const PlaneTensor<T>& D) {
-    if constexpr (requires { state.intact; })
-      return select(state.intact > 0.0, D, PlaneTensor<T>{});
-    else
-      return (void)state, D;
   }
 };
 

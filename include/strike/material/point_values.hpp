@@ -4,10 +4,10 @@
 
 namespace strike {
 
-// What a point of any material has to show, so that layers of different ones may be asked for the same:
+// Values of a point of any material, equal in name for layers of different materials:
 //   part.field(PlasticStrain{}), and of the lowest layer of a plate part.field(0, Failed{})
 
-/// The equivalent plastic strain; 0 of what does not flow.
+/// The equivalent plastic strain; 0 of materials without plasticity.
 struct PlasticStrain {
   template <class State>
   auto operator()(const State& point) const {
@@ -18,7 +18,7 @@ struct PlasticStrain {
   }
 };
 
-/// 1 of what has failed, or else 0.
+/// 1 of a failed point, or else 0.
 struct Failed {
   template <class State>
   auto operator()(const State& point) const {
@@ -29,7 +29,7 @@ struct Failed {
   }
 };
 
-/// Von Mises' equivalent of the stress.
+/// Von Mises' equivalent stress.
 struct EquivalentStress {
   template <class State>
   auto operator()(const State& point) const {

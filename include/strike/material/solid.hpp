@@ -1,30 +1,51 @@
 #pragma once
+#include <concepts>
 #include <string>
 #include <tuple>
 
 #include <strike/material/eos/eos.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/material.hpp>
+#include <strike/material/strength/report.hpp>
 #include <strike/material/strength/strength.hpp>
 
 namespace strike {
 
-/// A solid: an equation of state for the pressure, a strength for the change of shape, and if it can fail, when.
+namespace detail {
+/// Flaws of the pieces of a Solid, in the order in which they are reported.
+enum class SolidFlaw { none, no_eos, eos, no_strength, strength, no_failure, failure };
+template <class Eos, class S, class Failure>
+constexpr SolidFlaw solid_flaw() {
+  if constexpr (eos_flaw<Eos>() != EosFlaw::none)
+    return eos_flaw<Eos>() == EosFlaw::absent ? SolidFlaw::no_eos : SolidFlaw::eos;
+  else if constexpr (strength_flaw<S>() != StrengthFlaw::none)
+    return strength_flaw<S>() == StrengthFlaw::absent ? SolidFlaw::no_strength : SolidFlaw::strength;
+  else if constexpr (failure_flaw<Failure>() != FailureFlaw::none)
+    return failure_flaw<Failure>() == FailureFlaw::absent ? SolidFlaw::no_failure : SolidFlaw::failure;
+  else
+    return SolidFlaw::none;
+}
+}  // namespace detail
+
+/// A solid: an equation of state for the pressure, a strength for the change of shape, and if it can fail a failure
+/// law.
 ///   Solid copper{LinearEos{.density = 8930, .bulk_modulus = 130e9},
 ///                VonMises{.shear_modulus = 43.3e9, .yield_stress = 400e6, .hardening_modulus = 100e6}};
-template <class Eos, class S, class Failure = NoFailure>
+template <class Eos, class S, class Failure = NoFailure, class... More>
 struct Solid {
-  static constexpr bool has_eos = EquationOfState<Eos>, has_strength = Strength<S>,
-                        has_failure = FailureCriterion<Failure>, sound = has_eos && has_strength && has_failure;
+  static constexpr detail::SolidFlaw flaw = detail::solid_flaw<Eos, S, Failure>();
   static_assert(
-      has_eos,
+      flaw != detail::SolidFlaw::no_eos,
       "strike: the first piece of a Solid is its equation of state, with a density and A(mu), such as LinearEos.");
-  static_assert(!has_eos || has_strength,
+  static_assert(flaw != detail::SolidFlaw::no_strength,
                 "strike: the second piece of a Solid is its strength, with a shear_modulus and a flow_stress, such as "
                 "VonMises or ElasticStrength.");
   static_assert(
-      !has_eos || !has_strength || has_failure,
+      flaw != detail::SolidFlaw::no_failure,
       "strike: the third piece of a Solid is its failure, such as UltimateStress, FailureStrain or NoFailure.");
+  static_assert(instantiates(static_cast<detail::EosReport<Eos>*>(nullptr)));
+  static_assert(instantiates(static_cast<detail::StrengthReport<S>*>(nullptr)));
+  static_assert(instantiates(static_cast<detail::FailureReport<Failure>*>(nullptr)));
 
   Eos eos;
   S strength;
@@ -45,16 +66,31 @@ struct Solid {
     }
   };
 
+ private:
+  static constexpr bool failure_knows_state() {
+    if constexpr (flaw == detail::SolidFlaw::none && can_fail)
+      return detail::answers<detail::Fails, const Failure, const double, const State<double>>;
+    else
+      return true;
+  }
+  static constexpr bool can_fail = !std::same_as<Failure, NoFailure>;
+
+ public:
+  static constexpr bool sound = flaw == detail::SolidFlaw::none && failure_knows_state();
+  static_assert(failure_knows_state(),
+                "strike: this failure law needs a member of the state that this Solid does not have, such as the "
+                "plastic strain of a strength that flows.");
+
   double density() const { return eos.density; }
 
-  /// The state before the first step.
+  /// The state at rest.
   template <class T>
   void begin(State<T>& state) const {
     state = {};
     state.stress = SymmetricTensor<T>::isotropic(-begin_eos(eos, state));
   }
 
-  /// What the user should know, if anything.
+  /// A text for the user, empty if there is nothing to say.
   std::string warning() const
     requires requires(S law) { law.warning(); }
   {
@@ -63,7 +99,7 @@ struct Solid {
 
   template <class T>
   SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {
-    const auto& [D, J] = felt(state, rate);
+    const auto& [D, J] = detail::rate_if_intact(*this, state, rate);
     const SymmetricTensor<T> s_old = deviator(state.stress), d = T(dt) * deviator(D);
     const T p_old = (-1.0 / 3.0) * trace(state.stress);
     const T dv = volume_increment<T>(J, dt * trace(D));
@@ -73,9 +109,9 @@ struct Solid {
     const T deviatoric_work = (J - 0.5 * dv) * (0.5 * double_dot(s_old + s, d));
     const T p = advance_pressure(eos, state, J, dv, p_old, deviatoric_work);
     state.stress = s - SymmetricTensor<T>::isotropic(p);
-    if constexpr (requires { failure.fails(p, state); }) {
+    if constexpr (can_fail) {
       const auto fails = detail::fails_now<Failure, T>(failure, state, equivalent_stress(s), strain_old, dt);
-      if constexpr (requires { state.intact; }) {
+      if constexpr (detail::has_intact<State<T>>) {
         state.intact = select(fails, T(0.0), state.intact);
         state.stress = select(state.intact > 0.0, state.stress, SymmetricTensor<T>{});
       } else {
@@ -94,12 +130,12 @@ struct Solid {
   template <class T>
   Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
     const T pressure = (-1.0 / 3.0) * trace(state.stress);
-    const T J = felt(state, rate).relative_volume;
+    const T J = detail::rate_if_intact(*this, state, rate).relative_volume;
     return {strike::bulk_modulus<Eos, State<T>, T>(eos, state, J, pressure), shear_modulus(state, J)};
   }
 
   template <class T>
-    requires requires(State<T> state) { state.intact; }
+    requires detail::has_intact<State<T>>
   T intact(const State<T>& state) const {
     return state.intact;
   }
@@ -112,23 +148,22 @@ struct Solid {
     else
       return (void)state, (void)J, T(strength.shear_modulus);
   }
+};
 
-  /// What has failed feels no motion, however wild.
-  template <class T>
-  static decltype(auto) felt(const State<T>& state, const SolidKinematics::Rate<T>& rate) {
-    if constexpr (requires { state.intact; }) {
-      const auto intact = state.intact > 0.0;
-      return SolidKinematics::Rate<T>{select(intact, rate.rate_of_deformation, SymmetricTensor<T>{}),
-                                      select(intact, rate.relative_volume, T(1.0))};
-    } else {
-      return (rate);
-    }
-  }
+/// Fallback for a Solid with too many pieces: its static_assert reports it.
+template <class Eos, class S, class Failure, class... More>
+  requires(sizeof...(More) > 0)
+struct Solid<Eos, S, Failure, More...> {
+  static_assert(sizeof...(More) == 0,
+                "strike: a Solid has two or three pieces: its equation of state, its strength and its failure.");
+  static constexpr bool sound = false;
+  using Kinematics = SolidKinematics;
+  Solid(const Eos&, const S&, const Failure&, const More&...) {}
 };
 
 template <class Eos, class S>
 Solid(Eos, S) -> Solid<Eos, S>;
-template <class Eos, class S, class Failure>
-Solid(Eos, S, Failure) -> Solid<Eos, S, Failure>;
+template <class Eos, class S, class Failure, class... More>
+Solid(Eos, S, Failure, More...) -> Solid<Eos, S, Failure, More...>;
 
 }  // namespace strike

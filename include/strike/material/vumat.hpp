@@ -37,7 +37,7 @@ using VumatRoutine = void(const int* nblock, const int* ndir, const int* nshr, c
                           const Real* defgradNew, const Real* fieldNew, Real* stressNew, Real* stateNew,
                           Real* enerInternNew, Real* enerInelasNew, std::size_t cmname_length);
 
-/// What a Vumat is made of.
+/// Options of a Vumat.
 template <class Real>
 struct VumatOptions {
   VumatRoutine<Real>* routine;
@@ -49,8 +49,8 @@ struct VumatOptions {
   Eigen::Vector3d axis_2{0, 1, 0};        ///< in the plane of its axes 1 and 2
   Real temperature = 0;                   ///< tempOld and tempNew
   Real characteristic_length =
-      std::numeric_limits<Real>::quiet_NaN();  ///< charLength of every element, if the routine asks for it
-  double stiffening = 1;                       ///< how far beyond its first moduli the routine may stiffen
+      std::numeric_limits<Real>::quiet_NaN();  ///< charLength of every element, if the routine uses it [length]
+  double stiffening = 1;                       ///< largest ratio of later moduli to the first
 };
 
 namespace detail {
@@ -94,12 +94,12 @@ Moduli<double> bounding_moduli(const Matrix& C) {
 /// A user material of the field: a routine in the shape of a VUMAT, with `states` state variables, that runs on blocks
 /// of the lanes of a Pack, or on one point.
 ///   const Vumat<2> copper{{.routine = vumat_, .density = 8930, .properties = {130e9, 43.3e9, 400e6, 100e6}}};
-/// It sees stress, strain increment and state variables in a frame that turns with the material's spin (so relSpinInc
-/// is 0), and the density in the middle of the step; the frame begins as `axis_1` and `axis_2` say. stretchOld/New,
-/// defgradOld/New and coordMp are NaN, for a material knows neither; nfieldv is 0. The moduli for the stable step, and
-/// for hourglass control and bulk viscosity, are those of the routine's first call, at stepTime = totalTime = 0 with
-/// small strains, times `stiffening`. A routine that runs in threads must not keep anything in static memory.
-/// Errors: no routine; no elastic stress from the first call.
+/// The routine gets stress, strain increment and state variables in a frame that turns with the spin of the material
+/// (so relSpinInc is 0) and starts at `axis_1`, `axis_2`, and the density in the middle of the step. stretchOld/New,
+/// defgradOld/New and coordMp are NaN, because a material knows neither; nfieldv is 0. The moduli of the stable step,
+/// of hourglass control and of bulk viscosity are those of the routine's first call, at stepTime = totalTime = 0 with
+/// small strains, times `stiffening`. A routine that runs in threads must not keep anything in static memory. Errors:
+/// no routine; no elastic stress from the first call.
 template <int states, class Real = double>
 class Vumat {
   static_assert(states >= 0, "strike: the number of state variables of a Vumat must not be negative.");
@@ -107,7 +107,7 @@ class Vumat {
 
   static constexpr std::size_t variables = states > 0 ? states : 1;
 
-  /// What the routine advances.
+  /// Variables that the routine advances.
   template <class T>
   struct Point {
     SymmetricTensor<T> stress{};          ///< Cauchy
@@ -122,7 +122,7 @@ class Vumat {
   template <class T>
   struct State : Point<T> {
     Vector3<T> axis_1 = Vector3<T>::Unit(0), axis_2 = Vector3<T>::Unit(1);  ///< of the routine's frame, in space
-    T time{};  ///< since the start; the largest of the lanes counts
+    T time{};  ///< since the start, the largest of the lanes [time]
 
     auto spatial_tensors() { return std::tie(this->stress, axis_1, axis_2); }
   };
@@ -181,7 +181,7 @@ class Vumat {
   }
 
  private:
-  /// The same numbers, as another kind of number.
+  /// The numbers of an aggregate as another kind of number.
   template <class To, template <class> class Aggregate, class From>
   static Aggregate<To> as(const Aggregate<From>& from) {
     Aggregate<To> to;
@@ -191,7 +191,7 @@ class Vumat {
     return to;
   }
 
-  /// Columns are the axes, made orthonormal again after the turn.
+  /// The axes as columns, made orthonormal again after a rotation.
   template <class T>
   static Matrix3<T> frame(State<T>& state) {
     const Vector3<T> a = rsqrt(dot(state.axis_1, state.axis_1)) * state.axis_1;

@@ -18,10 +18,10 @@ constexpr bool is_solid_material() {
 }
 }  // namespace detail
 
-/// Plane stress of any solid material, whatever its equation of state: the strain across of each step is sought until
-/// the stress across is zero, to the rounding of its modulus (X3D's way, Brockman and Held 1991). A step costs 2 to 6
-/// of the solid's; PlaneStress is the closed form where there is one. The solid must be able to carry tension, as a gas
-/// is not.
+/// Plane stress of any solid material, whatever its equation of state: iterates the strain across in each step until
+/// the stress across is zero to the rounding of the modulus (as X3D, Brockman and Held 1991). A step costs 2 to 6 steps
+/// of the solid; PlaneStress is the closed form where there is one. The solid must be able to carry tension, which a
+/// gas is not.
 ///   ZeroNormalStress{Solid{GruneisenEos{...}, VonMises{...}}};
 template <class S>
 struct ZeroNormalStress {
@@ -44,27 +44,27 @@ struct ZeroNormalStress {
 
   double density() const { return density_of(solid); }
 
-  /// The state before the first step.
+  /// The state at rest.
   template <class T>
   void begin(State<T>& state) const {
     state = {};
     if constexpr (requires { solid.begin(inner(state)); }) solid.begin(inner(state));
   }
 
-  /// What the user should know, if anything.
+  /// A text for the user, empty if there is nothing to say.
   std::string warning() const
     requires requires(S s) { s.warning(); }
   {
     return solid.warning();
   }
 
-  /// The root a = d_zz dt of f(a) = sigma_zz, which rises, by secants that a bracket keeps safe: each from the state
-  /// before the step. The first guess is the elastic one, exact where nothing flows.
+  /// The root a = d_zz dt of the rising f(a) = sigma_zz, by secants inside a bracket, each from the state before the
+  /// step. The first guess is the elastic one, exact without plastic flow.
   template <class T>
   PlaneTensor<T> stress(State<T>& state, const PlaneStressKinematics::Rate<T>& rate, double dt) const {
     constexpr double rounding = 8.0 * std::numeric_limits<RealOf<T>>::epsilon();
     const State<T> before = state;
-    const PlaneTensor<T> D = felt(before, rate.rate_of_deformation);
+    const PlaneTensor<T> D = detail::rate_if_intact(*this, before, rate).rate_of_deformation;
     SymmetricTensor<T> sigma{};
     const auto trial = [&](const T& a) -> T {
       const T theta = dt * trace(D) + a;
@@ -105,7 +105,7 @@ struct ZeroNormalStress {
     return {4.0 * G * (3.0 * K + G) / (3.0 * K + 4.0 * G), G};
   }
 
-  /// d_zz of the step.
+  /// d_zz of the last step [1/time].
   template <class T>
   T normal_rate(const State<T>& state, const PlaneStressKinematics::Rate<T>&, double, const PlaneTensor<T>&) const {
     return state.normal_rate;
@@ -137,14 +137,6 @@ struct ZeroNormalStress {
   template <class T>
   static PlaneTensor<T> plane(const SymmetricTensor<T>& a) {
     return {a.xx, a.yy, a.xy};
-  }
-  /// What has failed feels no motion, however wild.
-  template <class T>
-  PlaneTensor<T> felt(const State<T>& state, const PlaneTensor<T>& D) const {
-    if constexpr (requires { solid.intact(inner(state)); })
-      return select(solid.intact(inner(state)) > 0.0, D, PlaneTensor<T>{});
-    else
-      return (void)state, D;
   }
 };
 

@@ -17,19 +17,19 @@ struct BoxShape {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero();  ///< corner of smallest coordinates [length]
   Eigen::Vector3d size;                             ///< edges [length]
   std::array<Index, 3> cells{1, 1, 1};              ///< hexahedra along x, y, z
-  std::array<double, 3> grading{1, 1, 1};           ///< last cell over first along x, y, z
+  std::array<double, 3> grading{1, 1, 1};           ///< length of the last cell over the first along x, y, z
 };
 
-/// Hexahedra that fill a box; x runs fastest, then y, then z, in nodes and cells alike.
+/// Hexahedra that fill a box. Nodes and cells are numbered along x first, then y, then z.
 /// Errors: an edge that is not positive, no cells, grading that is not positive.
 inline Mesh box(const BoxShape& shape) {
   if (!(shape.size.minCoeff() > 0) || !std::isfinite(shape.size.sum()))
     throw Error(detail::joined(
-        {"A box of size ", detail::text(shape.size), " has no volume: give three positive edges in `.size`."}));
+        {"strike: a box of size ", detail::text(shape.size), " has no volume; give three positive edges in `.size`."}));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (shape.cells[axis] < 1)
-      throw Error(detail::joined(
-          {"A box has no cells along ", std::string_view("xyz").substr(axis, 1), ": give 1 or more in `.cells`."}));
+      throw Error(detail::joined({"strike: a box has no cells along ", std::string_view("xyz").substr(axis, 1),
+                                  "; give 1 or more in `.cells`."}));
   const auto [nx, ny, nz] = shape.cells;
   std::array<std::vector<double>, 3> position;
   for (std::size_t axis = 0; axis < 3; ++axis) {

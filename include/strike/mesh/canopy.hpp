@@ -11,10 +11,10 @@
 
 namespace strike {
 
-/// A bubble canopy: half ellipses across the x axis, on the plane z = 0. Their height and half width run as parabolas
-/// from those in front to the largest ones at `top`, where they are level, and on to those at the back.
+/// A bubble canopy: half ellipses across the x axis, on the plane z = 0. Their height and half width follow parabolas
+/// from the front to `top`, where they are largest, and from there to the back.
 struct CanopyShape {
-  /// How high or wide the canopy is in front, at its top and at the back [length].
+  /// Heights or widths in front, at the top and at the back [length].
   struct Profile {
     double front, top, back;
   };
@@ -22,7 +22,7 @@ struct CanopyShape {
   double top;                        ///< x of its largest section [length]
   Profile height;                    ///< of the crown over the sill
   Profile half_width;                ///< of the sill
-  std::array<Index, 2> cells{1, 1};  ///< along x and from sill to sill
+  std::array<Index, 2> cells{1, 1};  ///< quadrilaterals along x and from sill to sill
 
   double height_at(double x) const { return at(height, x); }
   double half_width_at(double x) const { return at(half_width, x); }
@@ -40,11 +40,9 @@ inline Mesh canopy(const CanopyShape& shape) {
   double least = std::min(shape.top, shape.length - shape.top);
   for (const auto& [front, top, back] : {shape.height, shape.half_width}) least = std::min({least, front, top, back});
   if (!(least > 0) || !std::isfinite(shape.length))
-    throw Error(
-        detail::joined({"A canopy of length ", detail::text(shape.length), " with its top at ", detail::text(shape.top),
-                        " needs the top between front and back, and positive heights and widths; the least of "
-                        "these is ",
-                        detail::text(least), "."}));
+    throw Error(detail::joined({"strike: a canopy of length ", detail::text(shape.length), " with its top at ",
+                                detail::text(shape.top), " has a distance, height or width of ", detail::text(least),
+                                "; put the top between front and back, and give positive heights and widths."}));
   return sheet(shape.cells, [&](double s, double t) {
     const double x = s * shape.length, angle = (t - 0.5) * std::numbers::pi;
     return Eigen::Vector3d(x, shape.half_width_at(x) * std::sin(angle), shape.height_at(x) * std::cos(angle));

@@ -18,11 +18,11 @@
 namespace strike {
 namespace detail {
 
-/// Sine below which three edges count as lying in a plane, or two in a line.
+/// Sine below which three edges count as coplanar, or two as collinear.
 inline constexpr double flat = 1e-9;
 
-/// Triple product of the edges that leave a corner, over the product of their lengths: 1 at the corner of a brick, 0 if
-/// they lie in a plane, negative if the cell is inside out there ("scaled Jacobian").
+/// Scaled Jacobian: triple product of the edges that leave a corner over the product of their lengths; 1 at the corner
+/// of a brick, 0 if they are coplanar, negative if the cell is inside out there.
 inline double corner_sine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double lengths = a.norm() * b.norm() * c.norm();
   return lengths > 0 ? cross(a, b).dot(c) / lengths : 0;
@@ -31,24 +31,24 @@ inline double corner_sine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, co
 template <std::size_t N>
 std::string cell_text(const char* shape, std::size_t number, std::span<const Eigen::Vector3d> nodes,
                       const std::array<Index, N>& cell) {
-  return joined({shape, " ", std::to_string(number), " at ", text(centroid<N>(nodes, cell))});
+  return joined({"strike: ", shape, " ", std::to_string(number), " at ", text(centroid<N>(nodes, cell))});
 }
 
-/// Every cell names nodes that exist, each once.
+/// Error: a cell names a node that does not exist, or one twice.
 template <std::size_t N>
 void check_numbers(const char* shape, std::span<const Eigen::Vector3d> nodes, const Cells<N>& cells) {
   for (std::size_t e = 0; e < cells.size(); ++e) {
     for (std::size_t i = 0; i < N; ++i)
       if (cells[e][i] >= nodes.size())
-        throw Error(detail::joined({shape, " ", std::to_string(e), " names node ", std::to_string(cells[e][i]),
-                                    ", but the mesh has ", std::to_string(nodes.size()),
-                                    " nodes: count them from 0 and correct the cell."}));
+        throw Error(detail::joined({"strike: ", shape, " ", std::to_string(e), " names node ",
+                                    std::to_string(cells[e][i]), ", but the mesh has ", std::to_string(nodes.size()),
+                                    " nodes; count them from 0 and correct the cell."}));
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (cells[e][i] == cells[e][j])
           throw Error(
               detail::joined({cell_text<N>(shape, e, nodes, cells[e]), " names node ", std::to_string(cells[e][i]),
-                              " twice: give it ", std::to_string(N), " different corners."}));
+                              " twice; give it ", std::to_string(N), " different corners."}));
   }
 }
 
@@ -61,11 +61,11 @@ inline void check(const Mesh& mesh) {
   const std::span<const Eigen::Vector3d> nodes = mesh.nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (!std::isfinite(nodes[n].sum()))
-      throw Error(detail::joined({"Node ", std::to_string(n), " at ", detail::text(nodes[n]),
-                                  " has no finite position: correct its coordinates."}));
-  detail::check_numbers("Hexahedron", nodes, mesh.hexahedra);
-  detail::check_numbers("Tetrahedron", nodes, mesh.tetrahedra);
-  detail::check_numbers("Quadrilateral", nodes, mesh.quadrilaterals);
+      throw Error(detail::joined({"strike: node ", std::to_string(n), " at ", detail::text(nodes[n]),
+                                  " has no finite position; correct its coordinates."}));
+  detail::check_numbers("hexahedron", nodes, mesh.hexahedra);
+  detail::check_numbers("tetrahedron", nodes, mesh.tetrahedra);
+  detail::check_numbers("quadrilateral", nodes, mesh.quadrilaterals);
 
   // The neighbours of each corner, so that their edges are right-handed.
   constexpr std::array<std::array<unsigned, 3>, 8> neighbours{
@@ -77,18 +77,18 @@ inline void check(const Mesh& mesh) {
       const auto& [a, b, c] = neighbours[i];
       if (detail::corner_sine(nodes[cell[a]] - x, nodes[cell[b]] - x, nodes[cell[c]] - x) <= detail::flat)
         throw Error(
-            detail::joined({detail::cell_text<8>("Hexahedron", e, nodes, cell), " is flat or inside out at corner ",
+            detail::joined({detail::cell_text<8>("hexahedron", e, nodes, cell), " is flat or inside out at corner ",
                             std::to_string(i), " (volume ", detail::text(hexahedron_volume(nodes, cell)),
-                            "): order its corners 0-3 around the bottom and 4-7 above them, right-handed."}));
+                            "); order its corners 0-3 around the bottom and 4-7 above them, right-handed."}));
     }
   }
   for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e) {
     const auto& cell = mesh.tetrahedra[e];
     const Eigen::Vector3d& x = nodes[cell[0]];
     if (detail::corner_sine(nodes[cell[1]] - x, nodes[cell[2]] - x, nodes[cell[3]] - x) <= detail::flat)
-      throw Error(detail::joined({detail::cell_text<4>("Tetrahedron", e, nodes, cell),
+      throw Error(detail::joined({detail::cell_text<4>("tetrahedron", e, nodes, cell),
                                   " is flat or inside out (volume ", detail::text(tetrahedron_volume(nodes, cell)),
-                                  "): order its corners so that 3 lies above the counter-clockwise 0-1-2."}));
+                                  "); order its corners so that 3 lies above the counter-clockwise 0-1-2."}));
   }
   for (std::size_t e = 0; e < mesh.quadrilaterals.size(); ++e) {
     const auto& cell = mesh.quadrilaterals[e];
@@ -97,17 +97,17 @@ inline void check(const Mesh& mesh) {
       const Eigen::Vector3d& x = nodes[cell[i]];
       const Eigen::Vector3d next = nodes[cell[(i + 1) % 4]] - x, last = nodes[cell[(i + 3) % 4]] - x;
       if (!(cross(next, last).dot(area) > detail::flat * next.norm() * last.norm() * area.norm()))
-        throw Error(detail::joined({detail::cell_text<4>("Quadrilateral", e, nodes, cell),
+        throw Error(detail::joined({detail::cell_text<4>("quadrilateral", e, nodes, cell),
                                     " is crossed, concave or flat at corner ", std::to_string(i),
-                                    ": list its corners in order around a convex shape."}));
+                                    "; list its corners in order around a convex shape."}));
     }
   }
 
   const std::vector<Index> orphans = orphan_nodes(mesh);
   if (!orphans.empty())
-    throw Error(detail::joined({"Node ", std::to_string(orphans[0]), " at ", detail::text(nodes[orphans[0]]),
-                                " belongs to no cell, so it has no mass (", std::to_string(orphans.size()),
-                                " such in all): call remove_orphan_nodes(mesh)."}));
+    throw Error(detail::joined({"strike: node ", std::to_string(orphans[0]), " at ", detail::text(nodes[orphans[0]]),
+                                " belongs to no cell, so it has no mass (one of ", std::to_string(orphans.size()),
+                                "); call remove_orphan_nodes(mesh)."}));
 }
 
 }  // namespace strike

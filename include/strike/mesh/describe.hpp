@@ -7,7 +7,7 @@
 
 namespace strike::detail {
 
-/// A place as a message shows it: (x, y, z).
+/// A position as a message shows it: (x, y, z).
 inline std::string text(const Eigen::Vector3d& x) {
   return joined({"(", text(x[0]), ", ", text(x[1]), ", ", text(x[2]), ")"});
 }

@@ -28,7 +28,7 @@ inline double tetrahedron_volume(std::span<const Eigen::Vector3d> nodes, const s
   return cross<double>(b - a, c - a).dot(d - a) / 6;
 }
 
-/// Area of a quadrilateral [length^2]; of a warped one, the size of its vector area.
+/// Area of a quadrilateral [length^2]; of a warped one the norm of its vector area.
 inline double quadrilateral_area(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 4>& cell) {
   return area_vector(nodes, Face{cell, 0}).norm();
 }

@@ -16,13 +16,13 @@ namespace strike {
 /// A mesh from a list of cells of several kinds.
 struct SortedCells {
   Mesh mesh;
-  std::vector<Index> number;  ///< of each cell of the mesh, all counted together, that in the list
+  std::vector<Index> number;  ///< number in the list of each cell of the mesh, all kinds counted together
 };
 
-/// Sorts cells by the nodes that they name, counted from 0: eight are a hexahedron, four a quadrilateral, and five of
-/// which the last is the first again a tetrahedron (the input of X3D). A quadrilateral may name two neighbouring
-/// corners alike, and is a triangle. Within its kind a cell keeps its turn. Errors: any other list of nodes; a node
-/// that is not there.
+/// The mesh of a list of cells of all kinds, told apart by the nodes that they name, counted from 0: eight are a
+/// hexahedron, four a quadrilateral, and five of which the last repeats the first a tetrahedron (the input of X3D). A
+/// quadrilateral that names two neighbouring corners alike is a triangle. Cells of a kind keep their order. Errors: any
+/// other list of nodes; a node that is not there.
 inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<const std::vector<Index>> cells) {
   SortedCells sorted{{.nodes = std::move(nodes)}, {}};
   Mesh& mesh = sorted.mesh;
@@ -30,7 +30,7 @@ inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<
   for (std::size_t e = 0; e < cells.size(); ++e) {
     const std::vector<Index>& cell = cells[e];
     const auto refuse = [&](const std::string& why) {
-      throw Error(detail::joined({"Cell ", std::to_string(e), " ", why}));
+      throw Error(detail::joined({"strike: cell ", std::to_string(e), " ", why}));
     };
     const auto corners = [&]<std::size_t N>(std::array<Index, N> taken) {
       std::copy_n(cell.begin(), N, taken.begin());
@@ -40,30 +40,31 @@ inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<
       for (std::size_t i = 0; i < count; ++i)
         if (std::find(cell.begin(), cell.begin() + static_cast<std::ptrdiff_t>(i), cell[i]) !=
             cell.begin() + static_cast<std::ptrdiff_t>(i))
-          refuse(detail::joined({"is a ", kind, " that names node ", std::to_string(cell[i]), " twice: ", advice}));
+          refuse(detail::joined({"is a ", kind, " that names node ", std::to_string(cell[i]), " twice; ", advice}));
     };
     for (const Index node : cell)
       if (node >= mesh.nodes.size())
         refuse(detail::joined({"names node ", std::to_string(node), ", but there are ",
-                               std::to_string(mesh.nodes.size()), " nodes: count them from 0."}));
+                               std::to_string(mesh.nodes.size()), " nodes; count them from 0."}));
     const auto number = static_cast<Index>(e);
     if (cell.size() == 8) {
-      refuse_repeated(8, "hexahedron", "give it eight different corners; a tetrahedron is written a b c d a.");
+      refuse_repeated(8, "hexahedron", "give it eight different corners, and write a tetrahedron as a b c d a.");
       mesh.hexahedra.push_back(corners(std::array<Index, 8>{})), hexahedra.push_back(number);
     } else if (cell.size() == 5) {
       if (cell[4] != cell[0])
-        refuse("names five nodes, and the last is not the first: a tetrahedron is written a b c d a.");
+        refuse("names five nodes, and the last is not the first; write a tetrahedron as a b c d a.");
       refuse_repeated(4, "tetrahedron", "give it four different corners.");
       mesh.tetrahedra.push_back(corners(std::array<Index, 4>{})), tetrahedra.push_back(number);
     } else if (cell.size() == 4) {
       std::size_t alike = 0;
       for (std::size_t i = 0; i < 4; ++i) alike += cell[i] == cell[(i + 1) % 4];
       if (alike > 1 || cell[0] == cell[2] || cell[1] == cell[3])
-        refuse("is a quadrilateral of fewer than three corners: give it three or four different ones in order.");
+        refuse("is a quadrilateral of fewer than three corners; give it three or four different ones in order.");
       mesh.quadrilaterals.push_back(corners(std::array<Index, 4>{})), quadrilaterals.push_back(number);
     } else {
-      refuse(detail::joined({"names ", std::to_string(cell.size()),
-                             " nodes: eight are a hexahedron, five a tetrahedron (a b c d a), four a quadrilateral."}));
+      refuse(detail::joined(
+          {"names ", std::to_string(cell.size()),
+           " nodes; give eight of a hexahedron, five of a tetrahedron (a b c d a) or four of a quadrilateral."}));
     }
   }
   for (const auto* kind : {&hexahedra, &tetrahedra, &quadrilaterals})

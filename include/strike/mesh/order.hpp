@@ -12,7 +12,7 @@ namespace strike {
 
 namespace detail {
 
-/// The lowest 21 bits of x with two zeros before each.
+/// The lowest 21 bits of x, spread so that two zeros precede each.
 constexpr std::uint64_t spread(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffff;
@@ -22,13 +22,13 @@ constexpr std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-/// A point's number and where it is on Morton's curve.
+/// The number of a point and its place on Morton's curve.
 struct OnCurve {
   std::uint64_t at;
   Index point;
 };
 
-/// Radix sort by the 63 bits of the place on the curve, eleven at a time; `room` is as long.
+/// Radix sort by the 63 bits of the place on the curve, eleven at a time; `room` is a buffer of the same length.
 inline void sort_along_curve(std::span<OnCurve> points, std::span<OnCurve> room) {
   constexpr std::size_t digits = 2048;
   for (int shift = 0; shift < 63; shift += 11) {
@@ -41,8 +41,8 @@ inline void sort_along_curve(std::span<OnCurve> points, std::span<OnCurve> room)
   }
 }
 
-/// Sorts points along the curve through their box, and those that 21 bits of a coordinate do not tell apart in the same
-/// way among themselves.
+/// Sorts points along the curve through their box; points that 21 bits of a coordinate do not tell apart are sorted
+/// along a curve of their own.
 inline void order_along_curve(std::span<const Eigen::Vector3d> x, std::span<OnCurve> points, std::span<OnCurve> room) {
   constexpr double finest = 0x1fffff;
   Eigen::Vector3d lower = x[points[0].point];
@@ -68,18 +68,18 @@ inline void order_along_curve(std::span<const Eigen::Vector3d> x, std::span<OnCu
 
 }  // namespace detail
 
-/// The numbers of the cells in an order that keeps neighbours together: along Morton's curve (1966) through their
-/// middles, which visits each half, quarter, eighth ... of the room before it goes on. Takes time in proportion to
-/// their number. The order does not depend on the one in which the cells are given, but for cells of the same middle.
+/// Numbers of the cells in an order that keeps neighbours together: along Morton's curve (1966) through their
+/// centroids, which visits each half, quarter, eighth ... of space before it goes on. Takes time proportional to their
+/// number. The order does not depend on that of the list, but for cells with the same centroid.
 template <std::size_t n>
 std::vector<Index> locality_order(std::span<const Eigen::Vector3d> nodes, const Cells<n>& cells) {
-  std::vector<Eigen::Vector3d> middles(cells.size());
+  std::vector<Eigen::Vector3d> centroids(cells.size());
   std::vector<detail::OnCurve> places(cells.size()), room(cells.size());
   for (std::size_t e = 0; e < cells.size(); ++e) {
-    middles[e] = centroid(nodes, cells[e]);
+    centroids[e] = centroid(nodes, cells[e]);
     places[e] = {0, static_cast<Index>(e)};
   }
-  if (!cells.empty()) detail::order_along_curve(middles, places, room);
+  if (!cells.empty()) detail::order_along_curve(centroids, places, room);
   std::vector<Index> order(cells.size());
   for (std::size_t e = 0; e < cells.size(); ++e) order[e] = places[e].point;
   return order;

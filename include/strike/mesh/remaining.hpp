@@ -12,20 +12,21 @@
 
 namespace strike {
 
-/// The cells that are left, in their order; `alive[e]` says it of cell e (see RunningPart::alive). Also for values of
-/// cells. Error: another number of them.
+/// The cells, or values of cells, for which `alive[e]` is true, in their order; see RunningPart::alive. Error: another
+/// number of flags than of cells.
 template <class Row>
 std::vector<Row> remaining(const std::vector<Row>& rows, const std::vector<bool>& alive) {
   if (rows.size() != alive.size())
-    throw Error(detail::joined({"There are ", std::to_string(rows.size()), " cells or values, but ",
-                                std::to_string(alive.size()), " say whether they are left: give one for each."}));
+    throw Error(detail::joined({"strike: there are ", std::to_string(rows.size()), " cells or values, but ",
+                                std::to_string(alive.size()), " flags of which are left; give one for each."}));
   std::vector<Row> left;
   for (std::size_t e = 0; e < rows.size(); ++e)
     if (alive[e]) left.push_back(rows[e]);
   return left;
 }
 
-/// The mesh with the cells that are left, counted together; its nodes stay. `orphan_nodes` of it fly freely.
+/// The mesh with the cells for which `alive` is true, all kinds counted together. It keeps all nodes: its
+/// `orphan_nodes` have lost all their cells.
 inline Mesh remaining(Mesh mesh, const std::vector<bool>& alive) {
   std::size_t first = 0;
   const auto keep = [&](auto& cells) {

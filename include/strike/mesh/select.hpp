@@ -12,13 +12,15 @@
 
 namespace strike {
 
+/// A coordinate axis.
 enum class Axis { x, y, z };
 
+/// The unit vector along an axis.
 inline Eigen::Vector3d unit(Axis axis) {
   return {axis == Axis::x ? 1.0 : 0.0, axis == Axis::y ? 1.0 : 0.0, axis == Axis::z ? 1.0 : 0.0};
 }
 
-/// Diagonal of the smallest box around the nodes [length]: the size that tolerances refer to.
+/// Diagonal of the smallest box around the nodes [length], to which tolerances are relative.
 inline double extent(std::span<const Eigen::Vector3d> nodes) {
   if (nodes.empty()) return 0;
   Eigen::Vector3d lower = nodes[0], upper = nodes[0];
@@ -80,7 +82,7 @@ std::vector<Index> cells_where(std::span<const Eigen::Vector3d> nodes, const Cel
   return chosen;
 }
 
-/// The listed cells, e.g. those that `cells_where` found.
+/// The cells with the given numbers, such as those of `cells_where`.
 template <std::size_t N>
 Cells<N> cells_of(const Cells<N>& cells, std::span<const Index> numbers) {
   Cells<N> chosen;
@@ -88,28 +90,30 @@ Cells<N> cells_of(const Cells<N>& cells, std::span<const Index> numbers) {
   return chosen;
 }
 
-/// Number of the node nearest to a place, the lowest of several.
+/// Number of the node nearest to a place, the lowest of several. Error: no nodes.
 inline Index nearest_node(std::span<const Eigen::Vector3d> nodes, const Eigen::Vector3d& place) {
-  if (nodes.empty()) throw Error("A mesh without nodes has no nearest node: build or read the mesh first.");
+  if (nodes.empty()) throw Error("strike: a mesh without nodes has no nearest node; build or read the mesh first.");
   Index nearest = 0;
   for (Index i = 1; i < nodes.size(); ++i)
     if ((nodes[i] - place).squaredNorm() < (nodes[nearest] - place).squaredNorm()) nearest = i;
   return nearest;
 }
 
-/// In the plane normal . x = offset [length], within `tolerance` times the extent of the mesh.
+/// Predicate: in the plane normal . x = offset [length], within `tolerance` times the extent of the mesh.
 inline auto on_plane(const Eigen::Vector3d& normal, double offset, double tolerance = 1e-9) {
   return [n = normal.normalized().eval(), offset, tolerance](const Eigen::Vector3d& x, double size) {
     return std::abs(n.dot(x) - offset) <= tolerance * size;
   };
 }
 
-/// In the plane where the coordinate has the given value [length], within `tolerance` times the extent of the mesh.
+/// Predicate: in the plane where the coordinate has the given value [length], within `tolerance` times the extent of
+/// the mesh.
 inline auto on_plane(Axis axis, double offset, double tolerance = 1e-9) {
   return on_plane(unit(axis), offset, tolerance);
 }
 
-/// On the mantle of the cylinder about the line through `centre` along `axis`, within `tolerance` times the extent.
+/// Predicate: on the mantle of the cylinder about the line through `centre` along `axis`, within `tolerance` times the
+/// extent.
 inline auto on_cylinder(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
                         double tolerance = 1e-9) {
   return [=, a = axis.normalized().eval()](const Eigen::Vector3d& x, double size) {
@@ -118,7 +122,7 @@ inline auto on_cylinder(const Eigen::Vector3d& centre, const Eigen::Vector3d& ax
   };
 }
 
-/// In the box between two corners, its faces included within `tolerance` times the extent.
+/// Predicate: in the box between two corners, its faces included within `tolerance` times the extent.
 inline auto in_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, double tolerance = 1e-9) {
   return [=](const Eigen::Vector3d& x, double size) {
     const double slack = tolerance * size;
@@ -126,7 +130,7 @@ inline auto in_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, d
   };
 }
 
-/// In the ball, its surface included within `tolerance` times the extent.
+/// Predicate: in the ball, its surface included within `tolerance` times the extent.
 inline auto in_sphere(const Eigen::Vector3d& centre, double radius, double tolerance = 1e-9) {
   return [=](const Eigen::Vector3d& x, double size) { return (x - centre).norm() <= radius + tolerance * size; };
 }

@@ -4,8 +4,10 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -16,12 +18,12 @@ namespace strike {
 /// A face of a cell: corners counter-clockwise seen from outside; a triangle repeats its third corner.
 struct Face {
   std::array<Index, 4> nodes;
-  Index cell;  ///< the cell it belongs to, numbered within the list it came from
+  Index cell;  ///< its cell, by the number in the list that the faces were made of
 
   bool is_triangle() const { return nodes[2] == nodes[3]; }
 };
 
-/// Area of a face times its outward unit normal [length^2]; of a warped face, the vector area.
+/// Area of a face times its outward unit normal [length^2]; of a warped face the vector area.
 inline Eigen::Vector3d area_vector(std::span<const Eigen::Vector3d> nodes, const Face& face) {
   const auto& [a, b, c, d] = face.nodes;
   return 0.5 * cross<double>(nodes[c] - nodes[a], nodes[d] - nodes[b]);
@@ -37,12 +39,13 @@ inline Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const Fa
 
 namespace detail {
 
-// Faces of a cell by its corners, counter-clockwise seen from outside; a triangle repeats its third corner.
+// Faces of a cell by their corners, counter-clockwise seen from outside; a triangle repeats its third corner.
 inline constexpr std::array<std::array<unsigned, 4>, 6> hexahedron_faces{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 inline constexpr std::array<std::array<unsigned, 4>, 4> tetrahedron_faces{
     {{0, 2, 1, 1}, {0, 1, 3, 3}, {1, 2, 3, 3}, {2, 0, 3, 3}}};
 
+/// Appends all faces of all cells, which are numbered from `first_cell`.
 template <std::size_t N, std::size_t F>
 void append_faces(std::vector<Face>& faces, const Cells<N>& cells,
                   const std::array<std::array<unsigned, 4>, F>& corners, std::size_t first_cell) {
@@ -51,7 +54,8 @@ void append_faces(std::vector<Face>& faces, const Cells<N>& cells,
       faces.push_back({{cells[e][a], cells[e][b], cells[e][c], cells[e][d]}, static_cast<Index>(first_cell + e)});
 }
 
-/// The faces that no other face of the list shares, in the order of the list; linear in their number.
+/// The faces that no other face of the list coincides with, in the order of the list; linear in their number. Error: a
+/// face shared by three cells.
 inline std::vector<Face> unshared(const std::vector<Face>& faces) {
   // Two cells share a face if it has the same corners in any order: bucket the faces by their lowest corner (counting
   // sort), then compare the few in each bucket.
@@ -80,9 +84,9 @@ inline std::vector<Face> unshared(const std::vector<Face>& faces) {
       for (std::size_t j = begin[n]; j < begin[n + 1]; ++j)
         if (i != j && key[order[i]] == key[order[j]] && ++copies[order[i]] > 2)
           throw Error(detail::joined(
-              {"Cells ", std::to_string(faces[order[i]].cell), " and ", std::to_string(faces[order[j]].cell),
+              {"strike: cells ", std::to_string(faces[order[i]].cell), " and ", std::to_string(faces[order[j]].cell),
                " share a face (nodes ", std::to_string(key[order[i]][0]), ", ", std::to_string(key[order[i]][1]), ", ",
-               std::to_string(key[order[i]][2]), ", ...) with a third cell: remove the duplicate."}));
+               std::to_string(key[order[i]][2]), ", ...) with a third cell; remove the duplicate."}));
 
   std::vector<Face> boundary;
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -106,7 +110,7 @@ inline std::vector<Face> tetrahedron_surface(const Cells<4>& cells) {
   return detail::unshared(faces);
 }
 
-/// Quadrilaterals as faces, facing the side from which they run counter-clockwise.
+/// Quadrilaterals as faces, which face the side from which their corners run counter-clockwise.
 inline std::vector<Face> quadrilateral_surface(const Cells<4>& cells) {
   std::vector<Face> faces;
   for (std::size_t e = 0; e < cells.size(); ++e) faces.push_back({cells[e], static_cast<Index>(e)});
@@ -130,9 +134,7 @@ inline std::vector<Face> surface(const Mesh& mesh) {
 inline std::vector<Index> surface_nodes(std::span<const Face> faces) {
   std::vector<Index> nodes;
   for (const Face& face : faces) nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
+  return detail::ascending(std::move(nodes));
 }
 
 }  // namespace strike

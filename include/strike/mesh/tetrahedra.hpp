@@ -10,8 +10,8 @@ namespace strike {
 
 /// The mesh with each hexahedron split into six tetrahedra that fit those of its neighbours: every face is cut along
 /// the diagonal from its node of lowest number (rule of Dompierre et al. 1999), and the cell is the cone from its
-/// lowest node over the three faces that do not touch it. Nodes stay. Hexahedron e gives six tetrahedra in a row, after
-/// those there.
+/// lowest node over the three faces that do not touch it. It keeps all nodes. Hexahedron e gives six tetrahedra in a
+/// row, after the tetrahedra of the mesh.
 inline Mesh tetrahedralized(Mesh mesh) {
   for (const auto& cell : mesh.hexahedra) {
     const Index apex = *std::min_element(cell.begin(), cell.end());

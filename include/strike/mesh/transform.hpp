@@ -14,7 +14,7 @@
 
 namespace strike {
 
-/// The mesh with every node at `place(x)`; the map must keep handedness (see `mirrored` for one that does not).
+/// The mesh with every node at `place(x)` [length]; the map must keep handedness, which `mirrored` does not.
 template <class Place>
 Mesh transformed(Mesh mesh, Place&& place) {
   for (Eigen::Vector3d& x : mesh.nodes) x = Eigen::Vector3d(place(std::as_const(x)));
@@ -35,16 +35,17 @@ inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
   });
 }
 
-/// The mesh stretched from the origin by one positive factor per axis.
+/// The mesh stretched from the origin by a factor per axis. Error: a factor that is not positive.
 inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
-  if (!(factor.minCoeff() > 0)) throw Error("A mesh is scaled by positive factors only: use `mirrored` to reflect it.");
+  if (!(factor.minCoeff() > 0))
+    throw Error("strike: a mesh is scaled by positive factors only; use `mirrored` to reflect it.");
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(x[0] * factor[0], x[1] * factor[1], x[2] * factor[2]);
   });
 }
 
-/// The mirror image in the plane through the origin with the given normal. Corners are reordered, so that volumes and
-/// the side to which a quadrilateral faces stay as they were.
+/// The mirror image in the plane through the origin with the given normal. Corners are reordered so that volumes stay
+/// positive, and quadrilaterals face the side that they faced.
 inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
   const Eigen::Vector3d n = normal.normalized();
   mesh = transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(x - 2 * n.dot(x) * n); });
@@ -54,11 +55,12 @@ inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
   return mesh;
 }
 
-/// Adds a copy of `other` to the mesh without joining nodes; gives the number that its node 0 has now.
+/// Adds a copy of `other` to the mesh without joining nodes; returns the new number of its node 0. Error: 2^32 nodes or
+/// more.
 inline Index append(Mesh& mesh, const Mesh& other) {
   const std::size_t offset = mesh.nodes.size();
   if (offset + other.nodes.size() > std::numeric_limits<Index>::max())
-    throw Error("A mesh holds fewer than 2^32 nodes: keep these two apart.");
+    throw Error("strike: a mesh holds fewer than 2^32 nodes; keep these two apart.");
   const auto add = [offset](auto& cells, auto added) {  // a copy: `other` may be `mesh` itself
     for (auto& cell : added) {
       for (Index& node : cell) node += static_cast<Index>(offset);
@@ -75,7 +77,7 @@ inline Index append(Mesh& mesh, const Mesh& other) {
 
 namespace detail {
 
-/// Renumbers the nodes: node i becomes `number[i]`, and keeps its place among those of the same number if it is first.
+/// The mesh with these nodes, where node i has become node `number[i]`.
 inline Mesh renumbered(Mesh mesh, std::span<const Index> number, std::vector<Eigen::Vector3d> nodes) {
   const auto renumber = [&](auto& cells) {
     for (auto& cell : cells)
@@ -90,9 +92,11 @@ inline Mesh renumbered(Mesh mesh, std::span<const Index> number, std::vector<Eig
 
 }  // namespace detail
 
-/// The mesh with nodes closer than `tolerance` [length] joined into the first of them; the order of the rest stays.
+/// The mesh with nodes closer than `tolerance` [length] joined into the first of them; the others keep their order.
+/// Error: a tolerance that is not positive.
 inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
-  if (!(tolerance > 0)) throw Error("Nodes are joined within a positive tolerance: give the distance as a length.");
+  if (!(tolerance > 0))
+    throw Error("strike: nodes are joined within a positive tolerance; give the distance as a length.");
   // Kept nodes are hashed by the cube of edge 4 tolerance that holds them; a node looks into the cubes which its
   // tolerance touches: one, rarely up to eight.
   constexpr Index none = std::numeric_limits<Index>::max();
@@ -154,7 +158,7 @@ inline std::vector<Index> orphan_nodes(const Mesh& mesh) {
   return orphans;
 }
 
-/// The mesh without the nodes that belong to no cell; the order of the rest stays.
+/// The mesh without the nodes that belong to no cell; the others keep their order.
 inline Mesh remove_orphan_nodes(Mesh mesh) {
   const std::vector<Index> orphans = orphan_nodes(mesh);
   std::vector<Index> number(mesh.nodes.size());
@@ -172,9 +176,9 @@ inline Mesh remove_orphan_nodes(Mesh mesh) {
 }
 
 /// Hexahedra swept along z by the quadrilaterals of a plan (counter-clockwise seen from +z), one layer between each two
-/// levels [length], layer after layer.
+/// levels [length], layer after layer. Error: fewer than two levels.
 inline Mesh extruded(const Mesh& plan, std::span<const double> levels) {
-  if (levels.size() < 2) throw Error("A plan is extruded between at least two levels: give two or more.");
+  if (levels.size() < 2) throw Error("strike: a plan is extruded between at least two levels; give two or more.");
   Mesh mesh;
   for (const double z : levels)
     for (const Eigen::Vector3d& x : plan.nodes) mesh.nodes.emplace_back(x[0], x[1], x[2] + z);

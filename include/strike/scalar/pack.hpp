@@ -230,6 +230,14 @@ class Mask {
   constexpr Register& native(std::size_t k) { return r_[k]; }
   constexpr const Register& native(std::size_t k) const { return r_[k]; }
 
+  /// Refused: a branch has one answer, the lanes have N.
+  explicit operator bool() const {
+    static_assert(sizeof(T) == 0,
+                  "strike: an `if` on lanes has one answer for each: write select(condition, then, otherwise), or "
+                  "any(condition) or all(condition) for one answer.");
+    return false;
+  }
+
   friend Mask operator&&(const Mask& a, const Mask& b) {
     return detail::by_register<Mask>([&](std::size_t k) { return a.r_[k] & b.r_[k]; });
   }

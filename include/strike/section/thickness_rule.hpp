@@ -1,18 +1,10 @@
 #pragma once
 #include <array>
-#include <concepts>
 #include <cstddef>
 
-namespace strike {
+#include <strike/scalar/bisect.hpp>
 
-/// How a layer of a plate is integrated over its thickness: `points` and `weights` on [-1, 1], bottom to top, known to
-/// the compiler. Laws: the points rise, the weights are positive and their sum is 2.
-template <class R>
-concept ThicknessRule = requires {
-  { R::points[0] } -> std::convertible_to<double>;
-  { R::weights[0] } -> std::convertible_to<double>;
-  requires R::points.size() == R::weights.size();
-};
+namespace strike {
 
 namespace detail {
 
@@ -30,23 +22,22 @@ constexpr Legendre legendre(std::size_t n, long double x) {
   return P;
 }
 
-/// The one root between each two neighbours of an f that is even or odd, by bisection below 0 and mirrored above.
+/// The root between each two neighbours of an even or odd f, by bisection below 0 and mirrored above.
 template <std::size_t n, class F>
 constexpr std::array<long double, n> roots_between(const std::array<long double, n + 1>& neighbours, F f) {
   std::array<long double, n> roots{};
   for (std::size_t i = 0; i < n / 2; ++i) {
-    long double lower = neighbours[i], upper = neighbours[i + 1];
-    const bool rises = f(upper) > 0;
-    for (int bit = 0; bit < 66; ++bit) {
-      const long double middle = (lower + upper) / 2;
-      ((f(middle) > 0) == rises ? upper : lower) = middle;
-    }
-    roots[i] = (lower + upper) / 2, roots[n - 1 - i] = -roots[i];
+    const bool rises = f(neighbours[i + 1]) > 0;
+    const Bracket<long double> between{neighbours[i], neighbours[i + 1]};
+    roots[i] = bisect(
+                   between, [&](long double x) { return (f(x) > 0) != rises; }, 66)
+                   .middle();
+    roots[n - 1 - i] = -roots[i];
   }
   return roots;
 }
 
-/// The roots of P_n: one between each two of P_n-1 and the ends.
+/// The roots of P_n, one between each two of P_n-1 and the ends.
 template <std::size_t n>
 constexpr std::array<long double, n> legendre_roots() {
   if constexpr (n == 0) {
@@ -70,8 +61,8 @@ constexpr std::array<double, n> tabulated(F f) {
 
 }  // namespace detail
 
-/// Simpson's rule over (n - 1)/2 equal parts, exact for polynomials of degree 3; sees both faces. With 3 points it
-/// carries two thirds of the fully plastic moment, with 5 or 9 all of it.
+/// Simpson's rule over (n - 1)/2 equal parts, exact for polynomials of degree 3, with points on both faces. With 3
+/// points it carries two thirds of the fully plastic moment, with 5 or 9 all of it.
 template <std::size_t n>
 struct Simpson {
   static_assert(n == 3 || n == 5 || n == 7 || n == 9, "strike: Simpson's rule comes with 3, 5, 7 or 9 points.");
@@ -95,8 +86,8 @@ struct Gauss {
   });
 };
 
-/// Lobatto's rule, exact for polynomials of degree 2n - 3; sees both faces: the ends and the roots of P'_n-1, weights
-/// 2/(n (n - 1) P_n-1^2) (25.4.32).
+/// Lobatto's rule, exact for polynomials of degree 2n - 3, with points on both faces: the ends and the roots of P'_n-1,
+/// weights 2/(n (n - 1) P_n-1^2) (25.4.32).
 template <std::size_t n>
 struct Lobatto {
   static_assert(n >= 3 && n <= 10, "strike: Lobatto's rule comes with 3 to 10 points.");

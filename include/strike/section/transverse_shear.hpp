@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <numbers>
 #include <ranges>
 #include <string>
@@ -12,16 +11,16 @@
 
 namespace strike {
 
-// The transverse shear of a plate of isotropic layers (Whitney 1973; Rohwer 1988; Abaqus Theory 3.6.8): bending in one
-// direction, the shear stress that equilibrium asks for, and the stiffness that stores its energy. In bending an
-// isotropic layer answers div sigma = Q (z - z0) grad laplace w whatever the direction, so that Q = E/(1 - nu^2) and G
-// are all that is asked of a layer, Poisson's ratios may differ, and K is the same in x and y.
+// Transverse shear of a plate of isotropic layers (Whitney 1973; Rohwer 1988; Abaqus Theory 3.6.8): bending in one
+// direction, the shear stress of equilibrium, and the stiffness that stores its energy. In bending an isotropic layer
+// has div sigma = Q (z - z0) grad laplace w in all directions, so that Q = E/(1 - nu^2) and G of a layer suffice,
+// Poisson's ratios may differ, and K is equal in x and y.
 
-/// A layer as transverse shear sees it.
+/// A layer in transverse shear.
 template <class T>
 struct ShearLayer {
-  T thickness;
-  PlaneModuli<T> moduli;  ///< Q = E/(1 - nu^2) and G
+  T thickness;            ///< [length]
+  PlaneModuli<T> moduli;  ///< Q = E/(1 - nu^2) and G [stress]
 };
 
 /// g = tau/V in a layer, the shear stress per shear force [1/length]: a parabola from its value at the bottom to that
@@ -39,21 +38,22 @@ struct ShearFlow {
   }
 };
 
-/// What the layers do together.
+/// Transverse shear of all layers together.
 template <class T>
 struct TransverseShear {
   T bending{};       ///< D* = int Q (z - z0)^2 dz [force length]
   T neutral_axis{};  ///< z0 over the bottom
   T stiffness{};     ///< K, 1/K = int g^2/G dz [force/length]
-  T own_bending{};   ///< Df, what is left of D* when the layers slide [force length]
-  T layer_sum{};     ///< int G dz, which K never exceeds [force/length]
-  T thickness{};
+  T own_bending{};   ///< Df, the rest of D* when the layers slide [force length]
+  T layer_sum{};     ///< int G dz, a bound of K [force/length]
+  T thickness{};     ///< [length]
 
-  /// s_k, the share that a layer with the flow g has in 1/K = int g^2/G dz.
+  /// s_k, the share of a layer with the flow g in 1/K = int g^2/G dz.
   T share_of_flexibility(const ShearLayer<T>& layer, const ShearFlow<T>& g) const {
     return stiffness * flexibility(layer, g);
   }
-  /// Its part of 1/K. No layer counts as softer than 1e-12 of the mean, so that K is never zero.
+  /// The part of a layer in 1/K [length/force]. No layer counts as softer than 1e-12 of the mean, so that K is never
+  /// zero.
   T flexibility(const ShearLayer<T>& layer, const ShearFlow<T>& g) const {
     return layer.thickness * g.mean_square() / max(layer.moduli.shear, T(1e-12) * layer_sum / thickness);
   }
@@ -61,19 +61,19 @@ struct TransverseShear {
   /// phi = Df/D0, D* = D0 + Df.
   T own_share() const { return own_bending / (bending - own_bending); }
 
-  /// s = p^2 D0/Kc with p = pi/length and K = Kc (1 + phi)^2: how much the layers slide over a half wave of this
+  /// s = p^2 D0/Kc with p = pi/length and K = Kc (1 + phi)^2: the sliding of the layers over a half wave of this
   /// length.
   T slip(double length) const {
     const T c = 1.0 + own_share();
     return square(std::numbers::pi / length) * (bending - own_bending) * (c * c / stiffness);
   }
-  /// By how much K deflects too far over a half wave of this length: phi s^2/((1 + phi)^2 (1 + s)).
+  /// Relative excess of the deflection with K over a half wave of this length: phi s^2/((1 + phi)^2 (1 + s)).
   T error(double length) const {
     const T phi = own_share(), s = slip(length), c = s / (1.0 + phi);
     return phi * c * c / (1.0 + s);
   }
-  /// The stiffness with which a plate whose layers do not slide deflects as this one does over a half wave of this
-  /// length: K + (1 + phi) p^2 Df.
+  /// Stiffness of a plate without sliding layers that deflects as far over a half wave of this length:
+  /// K + (1 + phi) p^2 Df.
   T effective_stiffness(double length) const {
     return stiffness + (1.0 + own_share()) * square(std::numbers::pi / length) * own_bending;
   }
@@ -97,12 +97,12 @@ void each_shear_flow(const TransverseShear<T>& shear, const Layers& each_layer, 
   });
 }
 
-/// D*, K and their like; `each_layer(f)` calls f(ShearLayer) for every layer, bottom to top. A layer without thickness
-/// counts for nothing.
+/// The closed form of a TransverseShear; `each_layer(f)` calls f(ShearLayer) for every layer, bottom to top. A layer
+/// without thickness counts for nothing.
 ///
-/// Df = sum (1 - s_k) Q_k h_k^3/12, s_k the share that layer k has in 1/K: a layer that does the sliding keeps no
-/// normal of its own. Of one layer Df is nothing; for two faces and a soft core it is the faces' own bending, as in
-/// sandwich theory (Allen 1969).
+/// Df = sum (1 - s_k) Q_k h_k^3/12, s_k the share of layer k in 1/K: a layer that does the sliding keeps no normal of
+/// its own. Of one layer Df is zero; of two faces and a soft core it is the faces' own bending, as in sandwich theory
+/// (Allen 1969).
 template <class T, class Layers>
 TransverseShear<T> transverse_shear(const Layers& each_layer) {
   TransverseShear<T> shear;
@@ -135,7 +135,7 @@ TransverseShear<T> transverse_shear(const Layers& each_layer) {
   return shear;
 }
 
-/// The same of a list: transverse_shear(std::vector<ShearLayer<double>>{{3, {7e4, 2.9e4}}, ...}).
+/// The TransverseShear of a list of layers: transverse_shear(std::vector<ShearLayer<double>>{{3, {7e4, 2.9e4}}, ...}).
 template <std::ranges::range Layers>
 auto transverse_shear(const Layers& layers) {
   using T = decltype(std::ranges::begin(layers)->thickness);
@@ -144,17 +144,9 @@ auto transverse_shear(const Layers& layers) {
   });
 }
 
-/// Where the transverse shear stiffness of a section comes from: `stiffness(TransverseShear)`, that at the start, and
-/// if there is something to tell, `warning(TransverseShear, length)`: `length` is the half wave that matters, 0 if it
-/// is not known.
-template <class P>
-concept ShearPolicy = requires(const P policy, const TransverseShear<double> shear) {
-  { policy.stiffness(shear) } -> std::convertible_to<double>;
-};
-
 namespace detail {
-/// When the error of K exceeds 5 %.
-[[gnu::cold]] inline std::string shear_notice(const TransverseShear<double>& shear, double length) {
+/// A warning where the error of K exceeds 5 %.
+[[gnu::cold]] inline std::string shear_warning(const TransverseShear<double>& shear, double length) {
   if (!(length > 0) || !(shear.error(length) > 0.05)) return {};
   return joined({"The layers of a section slide on each other: over a half wave of ", text(length),
                  " its shear stiffness K = ", text(shear.stiffness), " deflects ", text(100 * shear.error(length)),
@@ -164,21 +156,21 @@ namespace detail {
 
 /// The stiffness K that stores the energy of the exact shear stress to leading order in thickness per length.
 struct EnergyShear {
-  double length = 0;  ///< the half wave over which a warning is to tell an error above 5 %; 0: whoever asks knows one
+  double length = 0;  ///< half wave in which an error above 5 % is a warning [length]; 0: that of the caller
 
   double stiffness(const TransverseShear<double>& shear) const { return shear.stiffness; }
   std::string warning(const TransverseShear<double>& shear, double known_length) const {
-    return detail::shear_notice(shear, length > 0 ? length : known_length);
+    return detail::shear_warning(shear, length > 0 ? length : known_length);
   }
 };
 
 /// K + (1 + phi) p^2 Df: exact for soft layers between stiff ones over half waves of one length.
 struct EffectiveShear {
-  double length;  ///< pi/p
+  double length;  ///< pi/p, the half wave [length]
 
   double stiffness(const TransverseShear<double>& shear) const { return shear.effective_stiffness(length); }
   /// Where layers slide, the shear force that couples them, V D0/D* with K alone, is (1 + phi)/(1 + phi (1 + s)) of
-  /// that, and the forces that bend each by itself make up for it.
+  /// that; the rest bends each layer by itself.
   ShearFlow<double> flow(const TransverseShear<double>& shear, const ShearLayer<double>& layer,
                          const ShearFlow<double>& g) const {
     const double phi = shear.own_share(), s = shear.slip(length);
@@ -188,7 +180,7 @@ struct EffectiveShear {
   }
 };
 
-/// 5/6 of the sum of G h, which is right for one layer alone.
+/// 5/6 of the sum of G h, exact for one layer alone.
 struct FiveSixthsShear {
   double stiffness(const TransverseShear<double>& shear) const { return 5.0 / 6.0 * shear.layer_sum; }
   [[gnu::cold]] std::string warning(const TransverseShear<double>& shear, double) const {
@@ -200,11 +192,11 @@ struct FiveSixthsShear {
 };
 
 /// K from the instantaneous moduli as layers yield or fail. The share of its elastic moduli that a layer has left is
-/// what its last strains met, d sigma : d eps / d eps : C : d eps.
+/// d sigma : d eps / d eps : C : d eps of its last strains.
 struct InstantaneousShear {
-  double length = 0;    ///< as of EnergyShear
-  double floor = 1e-3;  ///< the least share
-  double change = 0.1;  ///< of K in a step, at most
+  double length = 0;    ///< as in EnergyShear
+  double floor = 1e-3;  ///< least share of the elastic moduli
+  double change = 0.1;  ///< largest relative change of K in a step
 
   template <class T>
   struct State {
@@ -220,7 +212,7 @@ struct InstantaneousShear {
     return EnergyShear{length}.warning(shear, known_length);
   }
 
-  /// The share after a step in which strains met `work` where elastic layers would have met `elastic_work`.
+  /// The share after a step in which the strains did `work`, and would have done `elastic_work` in elastic layers.
   template <class T>
   T share(const T& before, const T& work, const T& elastic_work) const {
     const auto strained = elastic_work > 0.0;

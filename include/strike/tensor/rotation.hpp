@@ -14,9 +14,13 @@ SymmetricTensor<T> rotated(const Matrix3<T>& Q, const SymmetricTensor<T>& A) {
   return {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)};
 }
 
-/// How the spatial tensors of a material's state follow the spin of an element during one step.
-/// Law: `turn(w)`, for the axial vector w of the incremental spin (skew(L) dt at mid-step), gives a function that maps
-/// spatial tensors and vectors at the start of the step to those that a pure rotation leaves at its end.
+/// Rotation of the spatial tensors of a state by the spin of an element in one step.
+///
+/// Requirements
+/// 1. `turn(w)`, for the axial vector w of the incremental spin, skew(L) dt at mid-step: a function that maps spatial
+///    tensors and vectors at the start of the step to those that a pure rotation leaves at its end.
+/// Laws: no spin changes nothing.
+/// Models: HughesWinget, Jaumann.
 template <class R>
 concept Rotation = requires(const R rotation, const Vector3<double> w, const SymmetricTensor<double> A) {
   { rotation.turn(w)(A) } -> std::same_as<SymmetricTensor<double>>;
@@ -27,7 +31,7 @@ concept Rotation = requires(const R rotation, const Vector3<double> w, const Sym
 /// in-plane deviator grow by sqrt(1 + 4 theta^2).
 struct Jaumann {
   template <class T>
-  struct Turn {
+  struct Rotator {
     Vector3<T> w;
     SymmetricTensor<T> operator()(const SymmetricTensor<T>& A) const {
       const T x = w(0), y = w(1), z = w(2);
@@ -41,7 +45,7 @@ struct Jaumann {
     Vector3<T> operator()(const Vector3<T>& a) const { return a + cross(w, a); }
   };
   template <class T>
-  Turn<T> turn(const Vector3<T>& w) const {
+  Rotator<T> turn(const Vector3<T>& w) const {
     return {w};
   }
 };
@@ -50,13 +54,13 @@ struct Jaumann {
 /// mid-step kinematics exactly the rotation of a rigid motion.
 struct HughesWinget {
   template <class T>
-  struct Turn {
+  struct Rotator {
     Matrix3<T> Q;
     SymmetricTensor<T> operator()(const SymmetricTensor<T>& A) const { return rotated(Q, A); }
     Vector3<T> operator()(const Vector3<T>& a) const { return times(Q, a); }
   };
   template <class T>
-  Turn<T> turn(const Vector3<T>& w) const {
+  Rotator<T> turn(const Vector3<T>& w) const {
     const T x = w(0), y = w(1), z = w(2);
     const T s = 1.0 / (1.0 + 0.25 * (x * x + y * y + z * z));
     const T h = 0.5 * s;

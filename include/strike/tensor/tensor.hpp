@@ -37,30 +37,56 @@ Eigen::Matrix<T, 3, n> by_component(F f) {
 
 }  // namespace detail
 
-// Formulas in vectors of our numbers go by components, not by Eigen's expressions: the same code at a fraction of what
-// those take to compile, and `auto` names a vector. Found by the namespace of T, and an exact match where Eigen's
-// operators need a conversion.
+// Sums and multiples of vectors go by components, not by Eigen's expressions: the same code at a fraction of what those
+// take to compile, and `auto` names a vector. They are an exact match where Eigen's operators need a conversion. Those
+// of Packs and Duals are found by the namespace of the number. Those of built-in numbers belong to Eigen wherever a
+// user writes them, with `using namespace strike` too; only code inside of strike::detail finds these.
 
-template <class T, int n>
+template <detail::Composite T, int n>
   requires(n > 0)
 Eigen::Matrix<T, 3, n> operator+(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
   return detail::by_component<T, n>([&](int i) -> T { return a(i) + b(i); });
 }
-template <class T, int n>
+template <detail::Composite T, int n>
   requires(n > 0)
 Eigen::Matrix<T, 3, n> operator-(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
   return detail::by_component<T, n>([&](int i) -> T { return a(i) - b(i); });
 }
-template <class T, int n>
+template <detail::Composite T, int n>
   requires(n > 0)
 Eigen::Matrix<T, 3, n> operator-(const Eigen::Matrix<T, 3, n>& a) {
   return detail::by_component<T, n>([&](int i) -> T { return -a(i); });
 }
-template <class S, class T, int n>
+template <class S, detail::Composite T, int n>
   requires(n > 0 && (std::same_as<S, T> || std::is_arithmetic_v<S>))
 Eigen::Matrix<T, 3, n> operator*(const S& factor, const Eigen::Matrix<T, 3, n>& a) {
   return detail::by_component<T, n>([&](int i) -> T { return factor * a(i); });
 }
+
+namespace detail {
+
+template <std::floating_point T, int n>
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator+(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
+  return by_component<T, n>([&](int i) -> T { return a(i) + b(i); });
+}
+template <std::floating_point T, int n>
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator-(const Eigen::Matrix<T, 3, n>& a, const Eigen::Matrix<T, 3, n>& b) {
+  return by_component<T, n>([&](int i) -> T { return a(i) - b(i); });
+}
+template <std::floating_point T, int n>
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator-(const Eigen::Matrix<T, 3, n>& a) {
+  return by_component<T, n>([&](int i) -> T { return -a(i); });
+}
+template <class S, std::floating_point T, int n>
+  requires(n > 0 && (std::same_as<S, T> || std::is_arithmetic_v<S>))
+Eigen::Matrix<T, 3, n> operator*(const S& factor, const Eigen::Matrix<T, 3, n>& a) {
+  return by_component<T, n>([&](int i) -> T { return factor * a(i); });
+}
+
+}  // namespace detail
 
 template <class T>
 T dot(const Vector3<T>& a, const Vector3<T>& b) {
@@ -79,7 +105,7 @@ Vector3<T> column(const Eigen::Matrix<T, 3, n>& A, std::size_t j) {
   return {A(0, i), A(1, i), A(2, i)};
 }
 template <class T, int n>
-void set_column(Eigen::Matrix<T, 3, n>& A, std::size_t j, const Vector3<T>& a) {
+void set_column(Eigen::Matrix<T, 3, n>& A, std::size_t j, const std::type_identity_t<Vector3<T>>& a) {
   const int i = static_cast<int>(j);
   A(0, i) = a(0), A(1, i) = a(1), A(2, i) = a(2);
 }

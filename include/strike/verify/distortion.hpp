@@ -12,6 +12,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/check.hpp>
+#include <strike/scalar/bisect.hpp>
 #include <strike/verify/eigenmodes.hpp>
 #include <strike/verify/single_element.hpp>
 
@@ -23,7 +24,7 @@ struct StepStudy {
   double exact;     ///< that of its vibrations, viscosities included
   double undamped;  ///< 2/w_max
 
-  /// What the element gives away, above 1; below 1 it is unstable.
+  /// Unused part of the stable step, above 1; below 1 the element is unstable.
   double ratio() const { return exact / claimed; }
 };
 
@@ -46,16 +47,16 @@ StepStudy step_in_compression(const SingleElement<E, M>& single, double share = 
   return step_study(single, v);
 }
 
-/// What a rigid rotation does to an element: the errors of its nodal forces, each relative to the largest force of a
-/// uniform strain, which should all be 0.
+/// A rigid rotation of an element: the errors of its nodal forces, each relative to the largest force of a uniform
+/// strain, 0 for a sound element.
 struct RotationStudy {
   double unstrained;  ///< the largest force while it turns without having been strained
   double strained;    ///< the largest difference of the forces from those that turn with it, after a strain of 1e-3
   double revolutions;
 };
 
-/// Turns an element about an axis askew, by `angle` [rad] in each of the steps. Its material should not flow at strains
-/// of 1e-3, or it relaxes while it turns if it depends on the rate.
+/// Turns an element about an oblique axis, by `angle` [rad] in each of the steps. Its material should not flow at
+/// strains of 1e-3, or it relaxes while it turns if it depends on the rate.
 template <class E, class M>
 RotationStudy rotation_study(const E& element, const M& material, const Nodal<double, E::nodes>& x, double angle = 0.1,
                              std::size_t steps = 63) {
@@ -137,7 +138,7 @@ Nodal<double, n> distorted(const Nodal<double, n>& corners, const Distortion& di
   return x;
 }
 
-/// What has become of a distorted element.
+/// State of a distorted element.
 enum class Soundness {
   sound,
   inverted,    ///< flat or inside out, so that no mesh may have it
@@ -236,15 +237,16 @@ DistortionSweep distortion_sweep(const E& element, const M& material, const Noda
         sound = last.amount;
         continue;
       }
-      double failed = last.amount;
       limit.reason = last.soundness;
-      while (failed - sound > options.resolution * distortion.largest) {
-        const double middle = 0.5 * (sound + failed);
-        const DistortedElement between = at(middle);
-        (between.soundness == Soundness::sound ? sound : failed) = middle;
-        if (between.soundness != Soundness::sound) limit.reason = between.soundness;
-      }
-      limit.amount = sound;
+      const auto is_sound = [&](double amount) {
+        const Soundness soundness = at(amount).soundness;
+        if (soundness != Soundness::sound) limit.reason = soundness;
+        return soundness == Soundness::sound;
+      };
+      const auto is_wide = [&](const Bracket<double>& b) {
+        return b.upper - b.lower > options.resolution * distortion.largest;
+      };
+      limit.amount = bisect(Bracket<double>{sound, last.amount}, is_sound, is_wide).lower;
       break;
     }
     sweep.limits.push_back(limit);

@@ -16,7 +16,7 @@
 
 namespace strike {
 
-/// What a mode of an element is for the most part.
+/// The largest part of a mode of an element.
 enum class ModeKind {
   rigid,      ///< a motion without strain: six, without frequency
   straining,  ///< a uniform strain; of a plate a uniform membrane strain, curvature or transverse shear

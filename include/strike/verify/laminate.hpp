@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <strike/error.hpp>
+#include <strike/scalar/bisect.hpp>
 #include <strike/section/transverse_shear.hpp>
 #include <strike/text.hpp>
 
@@ -28,7 +29,7 @@ struct ElasticLayer {
   double plane_modulus() const { return youngs_modulus / (1 - poissons_ratio * poissons_ratio); }
 };
 
-/// What a half wave sin px sets in motion at a height of a stack: u = U cos px, w = W sin px, sigma_z = S sin px,
+/// A half wave sin px at a height of a stack: u = U cos px, w = W sin px, sigma_z = S sin px,
 /// tau_xz = T cos px, sigma_x = X sin px.
 struct LaminateWave {
   double z;  ///< over the bottom
@@ -60,7 +61,7 @@ class Laminate {
   double density() const {
     return sum([](const ElasticLayer& layer) { return layer.density * layer.thickness; });
   }
-  /// What the theory of plates makes of the same layers.
+  /// The transverse shear of these layers in the theory of plates.
   TransverseShear<double> transverse_shear() const {
     std::vector<ShearLayer<double>> all;
     for (const ElasticLayer& layer : layers_)
@@ -77,7 +78,7 @@ class Laminate {
       state = transfer(layers_[k], layers_[k].thickness, p, 0) * state;
     return wave(k, z, p, transfer(layers_[k], z - bottom, p, 0) * state);
   }
-  /// The same in `count` equal steps through each layer, at both faces of each.
+  /// The wave at `count` equal steps through each layer, at both faces of each.
   std::vector<LaminateWave> profile(double p, std::size_t count = 20) const {
     std::vector<LaminateWave> waves;
     Vector4 state = at_bottom(p);
@@ -97,14 +98,11 @@ class Laminate {
   /// The lowest natural frequency of a half wave [rad/time], which bends: det [S; T](U, W) = 0 on the free top.
   double angular_frequency(double p) const {
     const TransverseShear<double> plate = transverse_shear();
-    double lower = 0, upper = 1.1 * p * p * p * p * plate.bending / density();  // Kirchhoff's is above
+    const Bracket<double> all{0, 1.1 * p * p * p * p * plate.bending / density()};  // Kirchhoff's is above
     const auto at_free_top = [&](double omega2) { return determinant(traction(p, omega2)); };
     const bool positive = at_free_top(0) > 0;
-    for (int bit = 0; bit < 60; ++bit) {
-      const double middle = (lower + upper) / 2;
-      ((at_free_top(middle) > 0) == positive ? lower : upper) = middle;
-    }
-    return std::sqrt((lower + upper) / 2);
+    const auto is_below = [&](double omega2) { return (at_free_top(omega2) > 0) == positive; };
+    return std::sqrt(bisect(all, is_below, 60).middle());
   }
 
  private:
@@ -118,9 +116,10 @@ class Laminate {
     return s;
   }
 
-  /// What h of a layer makes of (U, W, S, T). With C11 = lambda + 2 G, C13 = lambda, and S and T in units of p C11
+  /// The transfer matrix of (U, W, S, T) over the height h of a layer. With C11 = lambda + 2 G, C13 = lambda, and S and
+  /// T in units of p C11
   ///   U' = C11/G T - W,    W' = S + C13/C11 U,    S' = T - Omega W,    T' = (1 - (C13/C11)^2 - Omega) U - C13/C11 S
-  /// by p z, with Omega = rho omega^2/(p^2 C11): numbers near 1, however soft the layer is.
+  /// by p z, with Omega = rho omega^2/(p^2 C11): numbers near 1 for layers of any softness.
   static Matrix4 transfer(const ElasticLayer& layer, double h, double p, double omega2) {
     const double G = layer.shear_modulus(), ratio = layer.poissons_ratio / (1 - layer.poissons_ratio);
     const double C11 = 2 * G / (1 - ratio), Omega = layer.density * omega2 / (p * p * C11);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/mesh/surface.hpp>
 #include <strike/verify/single_element.hpp>
 
 namespace strike {
@@ -43,12 +44,12 @@ inline Patch<8> hexahedra_patch() {
 
 /// Twelve tetrahedra: two on each face of the unit cube, with the one inner node.
 inline Patch<4> tetrahedra_patch(const Eigen::Vector3d& inner = {0.4, 0.55, 0.35}) {
-  constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   Patch<4> patch{Eigen::Matrix3Xd(3, 9), {}, 8};
   patch.nodes << unit_cube(), inner;
-  for (const auto& [a, b, c, d] : faces) {
-    patch.cells.push_back({a, c, b, 8});
-    patch.cells.push_back({a, d, c, 8});
+  for (const auto& face : detail::hexahedron_faces) {
+    const auto corner = [&](std::size_t i) { return static_cast<int>(face[i]); };
+    patch.cells.push_back({corner(0), corner(2), corner(1), 8});
+    patch.cells.push_back({corner(0), corner(3), corner(2), 8});
   }
   return patch;
 }
@@ -80,7 +81,7 @@ Patch<E::nodes> unit_patch() {
     return tetrahedra_patch();
 }
 
-/// What a patch answers to a motion.
+/// Answer of a patch to a motion.
 template <class E>
 struct PatchResponse {
   int first_inner;

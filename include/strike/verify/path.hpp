@@ -27,7 +27,7 @@ struct Segment {
   PrescribedStress stress = {};
 };
 
-/// What a material point goes through, one segment after the other: `uniaxial_stress({.strain = .1}) + hold(1)`.
+/// The strain history of a material point, one segment after the other: `uniaxial_stress({.strain = .1}) + hold(1)`.
 struct Path {
   std::vector<Segment> segments;
 
@@ -92,7 +92,7 @@ inline Path cyclic(const Path& quarter, int cycles = 1) {
   return path;
 }
 
-/// The same loading at one rate after the other, over the ramp's strain at each: `rate_jumps(uniaxial_stress, {.strain
+/// A loading at one rate after the other, over the ramp's strain at each: `rate_jumps(uniaxial_stress, {.strain
 /// = .05}, {1e-3, 1e3, 1e-3})`.
 template <class Loading>
 Path rate_jumps(Loading loading, Ramp each, std::initializer_list<double> rates) {

@@ -26,7 +26,7 @@ struct ElementRecord {
   double volume = 0;                                         ///< of a plate the area
   double stable_step = 0;                                    ///< that the element claims
   Nodal<double, E::nodes> x;
-  Nodal<double, motions<E>> force;  ///< on the element's nodes, and moments behind, so that they move as told
+  Nodal<double, motions<E>> force;  ///< on the element's nodes, and moments behind, that give the motion
   double internal = 0;              ///< work of the stresses
   double hourglass = 0;             ///< work against the hourglass control
   double bulk_viscosity = 0;        ///< dissipated by the bulk viscosity
@@ -76,7 +76,7 @@ struct ElementVibration {
   }
 };
 
-/// One element whose nodes move as told: for verifying an element, or a material in an element.
+/// One element under a prescribed motion of its nodes: for verifying an element, or a material in an element.
 ///   SingleElement cube{Hex8{}, copper, unit_cube()};
 ///   const auto history = cube.run(motion::homogeneous(L), dt, 100);
 ///   write("shear.csv", history);
@@ -220,7 +220,7 @@ class SingleElement {
 
 namespace detail {
 
-/// What a stress has to tell in a table.
+/// A stress component in a table.
 struct Component {
   const char* name;
   double value;
@@ -324,7 +324,7 @@ inline Nodal<double, 4> unit_tetrahedron() {
   return x;
 }
 
-/// The undistorted corners of an element of unit size, where its kind and the number of its nodes tell them.
+/// The undistorted corners of an element of unit size, for kinds and numbers of nodes with known corners.
 template <class E>
 Nodal<double, E::nodes> unit_corners() {
   constexpr bool plate = std::same_as<typename E::Kinematics, PlateKinematics>;

@@ -25,7 +25,7 @@
 
 namespace strike {
 
-// What a curve of a material point shows: any type with these four members serves.
+// Curves of a material point: any type with these four members serves.
 
 /// Stress over logarithmic strain, along x.
 struct AxialCurve {
@@ -96,7 +96,7 @@ CurveStudy compare(const std::vector<Record<M>>& history, const Curve& curve, co
   return study;
 }
 
-/// What an element must show to pass.
+/// Tolerances within which an element passes.
 struct ElementTolerances {
   double patch = 1e-9, rotation = 1e-9;  ///< rounding
   double frequency = 1e-4;  ///< of a rigid motion, over the highest: the root of the rounding, with a margin
@@ -105,7 +105,7 @@ struct ElementTolerances {
 };
 
 /// Puts materials and elements through studies, prints what it finds as tables, and leaves CSV files, charts and
-/// pictures. What was expected of them decides the program's exit code:
+/// pictures. The exit code of the program follows from its expectations:
 ///   Workbench bench{"out"};
 ///   bench.follow("tension", copper, uniaxial_stress({.strain = 0.1}), axial, [](double e) { return E * e; }, 1e-3);
 ///   bench.element("Hex8", Hex8{}, copper);
@@ -122,8 +122,8 @@ class Workbench {
     follow(
         name, material, path, curve, [](double) { return std::numeric_limits<double>::quiet_NaN(); }, 0);
   }
-  /// The same beside a formula, of the curve's x or of the record, that must hold but for `tolerance` times its largest
-  /// value; NAME_error.svg shows by how much it does.
+  /// A curve beside a formula, of the curve's x or of the record, that must hold within `tolerance` times its largest
+  /// value; NAME_error.svg shows the difference.
   template <class M, class Curve, class Formula>
   void follow(const std::string& name, const M& material, const Path& path, const Curve& curve, const Formula& formula,
               double tolerance) {
@@ -160,7 +160,7 @@ class Workbench {
 
   /// Any number, beside the one that it should be.
   void expect(Result result) { results_.add(std::move(result)); }
-  /// A value that must lie below a limit; what it is called tells what it measures.
+  /// A value that must lie below a limit; its name says what is measured.
   void expect_below(const std::string& quantity, double value, double limit, const std::string& source) {
     expect({quantity, value, "1", 0, limit, source});
   }

@@ -22,7 +22,30 @@ struct Murnaghan {  // an equation of a user's own, complete with its one formul
     return K / n * (pow(1.0 + mu, T(n)) - 1.0);
   }
 };
+struct InDouble {
+  double density;
+  double A(double mu) const { return mu; }
+};
+struct BOfEnergy : Murnaghan {
+  template <class T>
+  T B(const T& mu, const T& E) const {
+    return mu * E;
+  }
+};
+struct EnergyAlone : Murnaghan {
+  double initial_energy;
+};
+struct Tait : Murnaghan {
+  double B;  // a parameter, no function
+};
 }  // namespace
+
+using detail::EosFlaw;
+static_assert(detail::eos_flaw<Murnaghan>() == EosFlaw::none && detail::eos_flaw<Tait>() == EosFlaw::none);
+static_assert(detail::eos_flaw<PolynomialEos>() == EosFlaw::none && detail::eos_flaw<int>() == EosFlaw::absent);
+static_assert(detail::eos_flaw<WithoutDensity>() == EosFlaw::absent);
+static_assert(detail::eos_flaw<InDouble>() == EosFlaw::A_in_double);
+static_assert(detail::eos_flaw<BOfEnergy>() == EosFlaw::B && detail::eos_flaw<EnergyAlone>() == EosFlaw::energy);
 
 static_assert(EquationOfState<Murnaghan> && !ThermalEquationOfState<Murnaghan>);
 static_assert(!EquationOfState<int> && !EquationOfState<std::string> && !EquationOfState<WithoutDensity>);

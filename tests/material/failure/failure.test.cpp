@@ -5,8 +5,12 @@
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
 #include <strike/material/failure/failure.hpp>
+#include <strike/material/failure/johnson_cook_failure.hpp>
+#include <strike/material/failure/principal_stress.hpp>
+#include <strike/material/failure/tuler_butcher.hpp>
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/verify/material_point.hpp>
 
@@ -27,6 +31,75 @@ concept CanFail = requires(const M m, const typename M::template State<double> s
 static_assert(CanFail<Solid<LinearEos, VonMises, UltimateStress>> &&
               CanFail<Solid<LinearEos, VonMises, FailureStrain>>);
 static_assert(!CanFail<Solid<LinearEos, VonMises>> && !CanFail<Solid<LinearEos, VonMises, NoFailure>>);
+
+namespace {
+
+struct Flag {
+  template <class T>
+  struct State {
+    T intact{1.0};
+  };
+};
+struct Fails : Flag {
+  template <class T, class S>
+  auto fails(const T& equivalent_stress, const S&) const {
+    return equivalent_stress >= 1.0;
+  }
+};
+struct Misspelt : Flag {
+  template <class T, class S>
+  auto fail(const T& equivalent_stress, const S&) const {
+    return equivalent_stress >= 1.0;
+  }
+};
+struct StressAlone : Flag {
+  template <class T>
+  auto fails(const T& equivalent_stress) const {
+    return equivalent_stress >= 1.0;
+  }
+};
+struct InDouble : Flag {
+  template <class S>
+  bool fails(double equivalent_stress, const S&) const {
+    return equivalent_stress >= 1;
+  }
+};
+struct WithoutFlag : Fails {
+  template <class T>
+  struct State {};
+};
+struct NeverGathers : Fails {
+  template <class T>
+  struct State : detail::Intact<T>, detail::Damage<T> {};
+};
+struct GathersWithoutStrain : NeverGathers {
+  template <class T, class S>
+  void accumulate(S& state, const T& equivalent_stress, double dt) const {
+    state.damage += dt * equivalent_stress;
+  }
+};
+
+template <class F>
+constexpr auto flaw = detail::failure_flaw<F>();
+using detail::FailureFlaw;
+
+}  // namespace
+
+static_assert(FailureCriterion<NoFailure> && FailureCriterion<UltimateStress> && FailureCriterion<FailureStrain> &&
+              FailureCriterion<PrincipalStress> && FailureCriterion<TulerButcher> &&
+              FailureCriterion<JohnsonCookFailure> && FailureCriterion<BecomesFluid<UltimateStress>> &&
+              FailureCriterion<BecomesFluid<TulerButcher>> && FailureCriterion<Fails>);
+static_assert(!FailureCriterion<int> && !FailureCriterion<VonMises> && !FailureCriterion<Prony<1>> &&
+              !FailureCriterion<Flag> && !FailureCriterion<Misspelt> && !FailureCriterion<StressAlone> &&
+              !FailureCriterion<WithoutFlag>);
+static_assert(FailureCriterion<TulerButcher, Pack<double>> && !FailureCriterion<InDouble, Pack<double>>);
+static_assert(flaw<NoFailure> == FailureFlaw::none && flaw<Fails> == FailureFlaw::none &&
+              flaw<JohnsonCookFailure> == FailureFlaw::none && flaw<BecomesFluid<TulerButcher>> == FailureFlaw::none);
+static_assert(flaw<int> == FailureFlaw::absent && flaw<Prony<1>> == FailureFlaw::absent);
+static_assert(flaw<Misspelt> == FailureFlaw::fail && flaw<Flag> == FailureFlaw::fail);
+static_assert(flaw<StressAlone> == FailureFlaw::fails && flaw<InDouble> == FailureFlaw::in_double);
+static_assert(flaw<WithoutFlag> == FailureFlaw::flag);
+static_assert(flaw<NeverGathers> == FailureFlaw::memory && flaw<GathersWithoutStrain> == FailureFlaw::accumulate);
 
 TEST_CASE("failure: by ultimate stress, in the first step that reaches it, for ever") {
   const Solid solid{eos, strength, UltimateStress{.ultimate_stress = 500e6}};

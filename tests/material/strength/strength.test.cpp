@@ -4,6 +4,7 @@
 
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/report.hpp>
 #include <strike/material/strength/strength.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/scalar/pack.hpp>
@@ -57,6 +58,41 @@ struct Wrong {
   std::string flow_stress(double) const { return "much"; }
 };
 
+/// What is nearly a strength.
+struct InDouble {
+  double shear_modulus;
+  double flow_stress(double e) const { return 1 + e; }
+};
+struct FourArguments {
+  double shear_modulus;
+  template <class T>
+  T flow_stress(const T& e, const T&, const T&, const T&) const {
+    return e;
+  }
+};
+struct WithoutState {
+  double shear_modulus;
+  template <class T>
+  SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>&, const T&) const {
+    return s;
+  }
+};
+struct WithoutStep : Voce {
+  template <class T>
+  T plastic_increment(const T& q, const T&) const {
+    return q;
+  }
+};
+struct StiffnessOfState : Voce {
+  template <class S>
+  double stiffness(const S&) const {
+    return shear_modulus;
+  }
+};
+struct WarnsByNumber : Voce {
+  int warning() const { return 1; }
+};
+
 constexpr double G = 43e9;
 
 /// The root of the residual by bisection.
@@ -75,7 +111,20 @@ double bisection(F residual, double upper) {
 static_assert(FlowLaw<Voce> && RateIndependentFlow<Voce> && Strength<Voce>);
 static_assert(RateDependentFlow<RatePower> && !RateIndependentFlow<RatePower>);
 static_assert(!FlowLaw<ElasticStrength> && Strength<ElasticStrength>);
+static_assert(Strength<Voce, Pack<double>> && Strength<ElasticStrength, Pack<float>>);
 static_assert(!Strength<int> && !Strength<WithoutModulus> && !Strength<Wrong> && !Strength<Tensor>);
+
+using detail::StrengthFlaw;
+static_assert(detail::strength_flaw<Voce>() == StrengthFlaw::none &&
+              detail::strength_flaw<int>() == StrengthFlaw::absent);
+static_assert(detail::strength_flaw<WithoutModulus>() == StrengthFlaw::absent);
+static_assert(detail::strength_flaw<Wrong>() == StrengthFlaw::flow);
+static_assert(detail::strength_flaw<FourArguments>() == StrengthFlaw::flow);
+static_assert(detail::strength_flaw<WithoutState>() == StrengthFlaw::deviator);
+static_assert(detail::strength_flaw<InDouble>() == StrengthFlaw::in_double);
+static_assert(detail::strength_flaw<WithoutStep>() == StrengthFlaw::increment);
+static_assert(detail::strength_flaw<StiffnessOfState>() == StrengthFlaw::stiffness);
+static_assert(detail::strength_flaw<WarnsByNumber>() == StrengthFlaw::warning);
 
 // Only what the law asks for is remembered.
 static_assert(std::is_empty_v<StrengthState<ElasticStrength, double>>);

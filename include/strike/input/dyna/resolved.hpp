@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <array>
 #include <map>
 #include <span>
@@ -7,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/raw_mesh.hpp>
 #include <strike/mesh/select.hpp>
@@ -40,9 +40,7 @@ class Lookup {
         default:
           for (const Index part : parts(choice)) add(deck_.cells(deck_.parts[part].members).nodes());
       }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
+    return ascending(std::move(nodes));
   }
   /// The places of a part, or of the parts of a set.
   std::vector<Index> parts(const Choice& choice) const {

@@ -5,12 +5,12 @@
 
 namespace strike {
 
-/// p = C1 mu + C2 mu^2 + C3 mu^3 without energy: a liquid, and the bird of Brockman and Held (1991). The quadratic term
-/// acts in compression only, and no pressure falls below the cut-off. A shock velocity U = c + k u gives C1 = rho c^2,
-/// C2 = (2k - 1) C1, C3 = (k - 1)(3k - 1) C1.
+/// Cubic polynomial without energy, p = C1 mu + C2 mu^2 + C3 mu^3: liquids, and the bird of Brockman and Held (1991).
+/// The quadratic term acts in compression only, and the pressure is cut off from below. A shock velocity U = c + k u
+/// gives C1 = rho c^2, C2 = (2k - 1) C1, C3 = (k - 1)(3k - 1) C1.
 struct CubicEos {
-  double density;  ///< reference density
-  double C1, C2 = 0, C3 = 0;
+  double density;             ///< reference density
+  double C1, C2 = 0, C3 = 0;  ///< [stress]
   double pressure_cutoff = std::numeric_limits<double>::lowest();
 
   template <class T>

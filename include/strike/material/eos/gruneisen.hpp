@@ -8,14 +8,14 @@ namespace strike {
 /// Mie-Gruneisen with a cubic shock velocity, in the form of LS-DYNA *EOS_GRUNEISEN (Steinberg 1996):
 ///   p = rho0 c^2 mu [1 + (1 - g/2) mu - a/2 mu^2] / [1 - (S1 - 1) mu - S2 mu^2/(mu + 1) - S3 mu^3/(mu + 1)^2]^2 + (g +
 ///   a mu) E
-/// in compression and p = rho0 c^2 mu + (g + a mu) E in tension; no pressure falls below the cut-off.
+/// in compression and p = rho0 c^2 mu + (g + a mu) E in tension; the pressure is cut off from below.
 struct GruneisenEos {
-  double density;      ///< reference density rho0
-  double sound_speed;  ///< c, the intercept of the shock velocity U = c + S1 u
+  double density;      ///< rho0, of the reference configuration
+  double sound_speed;  ///< c, the intercept of the shock velocity U = c + S1 u [length/time]
   double S1, S2 = 0, S3 = 0;
   double gamma;               ///< g, the Gruneisen coefficient
   double a = 0;               ///< first-order volume correction of gamma
-  double initial_energy = 0;  ///< E at rest
+  double initial_energy = 0;  ///< E at rest [energy/volume]
   double pressure_cutoff = std::numeric_limits<double>::lowest();
 
   template <class T>

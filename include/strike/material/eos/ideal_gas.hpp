@@ -2,11 +2,11 @@
 
 namespace strike {
 
-/// p = (gamma - 1) (1 + mu) E.
+/// Ideal gas, p = (gamma - 1) (1 + mu) E.
 struct IdealGas {
   double density;             ///< reference density
   double gamma;               ///< ratio of the specific heats
-  double initial_energy = 0;  ///< E at rest, p0/(gamma - 1)
+  double initial_energy = 0;  ///< E at rest, p0/(gamma - 1) [energy/volume]
 
   template <class T>
   T A(const T& mu) const {

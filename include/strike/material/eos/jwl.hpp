@@ -3,14 +3,14 @@
 
 namespace strike {
 
-/// Jones, Wilkins and Lee: the products of an explosive (Lee, Hornig and Kury 1968), with V = 1/(1 + mu)
+/// Products of an explosive by Jones, Wilkins and Lee (Lee, Hornig and Kury 1968), with V = 1/(1 + mu)
 ///   p = A (1 - w/(R1 V)) exp(-R1 V) + B (1 - w/(R2 V)) exp(-R2 V) + w E/V
 /// whose isentropes are A exp(-R1 V) + B exp(-R2 V) + C V^(-1 - w).
 struct Jwl {
-  double density;  ///< of the explosive
-  double A_products, B_products;
-  double R1, R2, omega;
-  double initial_energy;  ///< E0, of detonation
+  double density;                 ///< of the explosive
+  double A_products, B_products;  ///< A and B [stress]
+  double R1, R2, omega;           ///< R1, R2 and w [1]
+  double initial_energy;          ///< E0, of detonation [energy/volume]
 
   template <class T>
   T A(const T& mu) const {

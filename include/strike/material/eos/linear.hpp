@@ -2,10 +2,10 @@
 
 namespace strike {
 
-/// p = K mu.
+/// Linear elasticity of the volume, p = K mu.
 struct LinearEos {
   double density;       ///< reference density
-  double bulk_modulus;  ///< K
+  double bulk_modulus;  ///< K [stress]
 
   template <class T>
   T A(const T& mu) const {

@@ -5,12 +5,12 @@
 
 namespace strike {
 
-/// p = C0 + C1 mu + C2 mu^2 + C3 mu^3 + (C4 + C5 mu + C6 mu^2) E; the terms of C2 and C6 act in compression only
-/// (LS-DYNA *EOS_LINEAR_POLYNOMIAL; RADIOSS /EOS/POLYNOMIAL), and no pressure falls below the cut-off.
+/// Polynomial, p = C0 + C1 mu + C2 mu^2 + C3 mu^3 + (C4 + C5 mu + C6 mu^2) E; the terms of C2 and C6 act in compression
+/// only (LS-DYNA *EOS_LINEAR_POLYNOMIAL; RADIOSS /EOS/POLYNOMIAL), and the pressure is cut off from below.
 struct PolynomialEos {
-  double density;  ///< reference density
-  double C0 = 0, C1 = 0, C2 = 0, C3 = 0, C4 = 0, C5 = 0, C6 = 0;
-  double initial_energy = 0;  ///< E at rest
+  double density;                                                 ///< reference density
+  double C0 = 0, C1 = 0, C2 = 0, C3 = 0, C4 = 0, C5 = 0, C6 = 0;  ///< [stress], C4 to C6 [1]
+  double initial_energy = 0;                                      ///< E at rest [energy/volume]
   double pressure_cutoff = std::numeric_limits<double>::lowest();
 
   template <class T>

@@ -6,23 +6,23 @@
 
 namespace strike {
 
-/// Johnson and Cook (1985): fails when the damage, the sum of dl/e_f over the steps, reaches 1, with the strain at
+/// Failure by Johnson and Cook (1985), when the damage, the sum of dl/e_f over the steps, reaches 1, with the strain at
 /// fracture
 ///   e_f = [D1 + D2 exp(D3 s*)] [1 + D4 ln(max(r/r0, 1))] (1 + D5 T*)
 /// of the triaxiality s* = mean stress/equivalent stress (tension positive, at most the 1.5 of their tests), the rate
 /// of plastic strain r and T* = (T - T0)/(Tm - T0); T is that of a thermal flow law, and T0 of any other.
 struct JohnsonCookFailure {
-  double D1, D2 = 0, D3 = 0;          ///< D3 < 0: tension breaks sooner
+  double D1, D2 = 0, D3 = 0;          ///< D3 < 0: less strain at fracture under tension
   double D4 = 0, reference_rate = 1;  ///< r0 [1/time]
   double D5 = 0, initial_temperature = 293, melting_temperature = 1e30;
-  double least_strain = 1e-6;  ///< e_f is never less
+  double least_strain = 1e-6;  ///< lower bound of e_f
 
   template <class T>
   struct State : detail::Intact<T>, detail::Damage<T> {};
 
   template <class T>
   T strain_at_fracture(const T& triaxiality, const T& rate, const T& temperature_rise) const {
-    const T s = max(T(-30.0), min(T(1.5), triaxiality));  // far pressed it does not break, nor overflow
+    const T s = max(T(-30.0), min(T(1.5), triaxiality));  // under high pressure neither failure nor overflow
     const T by_stress = D1 + D2 * exp(T(D3 * s));
     const T by_rate = 1.0 + D4 * log(max(rate * (1.0 / reference_rate), T(1.0)));
     const T by_heat = 1.0 + (D5 / (melting_temperature - initial_temperature)) * temperature_rise;

@@ -3,9 +3,10 @@
 
 namespace strike {
 
-/// Rankine: what is brittle, as glass is, fails when its largest principal stress reaches its strength in tension.
+/// Rankine's law of brittle materials such as glass: failure when the largest principal stress reaches the strength in
+/// tension.
 struct PrincipalStress {
-  double strength;
+  double strength;  ///< [stress]
 
   template <class T>
   using State = detail::Intact<T>;

@@ -4,14 +4,14 @@
 
 namespace strike {
 
-/// Tuler and Butcher (1968): it takes time to break. Fails when the damage
+/// Failure after a time by Tuler and Butcher (1968), when the damage
 ///   int (max(0, s1 - s0)/S)^k dt/t0
 /// of the largest principal stress s1 reaches 1: under the constant stress s0 + S after the time t0, under one that
 /// grows at the rate s' at s0 + [(k + 1) S^k t0 s']^(1/(k + 1)). Without a threshold s0, and with k = 16, this is
 /// Brown's (1974) law of the duration of load on glass.
 struct TulerButcher {
-  double threshold = 0;  ///< s0: below it nothing breaks
-  double strength;       ///< S
+  double threshold = 0;  ///< s0, below which there is no damage [stress]
+  double strength;       ///< S [stress]
   double duration;       ///< t0 [time]
   double exponent;       ///< k
 

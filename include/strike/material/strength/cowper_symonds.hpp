@@ -5,13 +5,13 @@
 
 namespace strike {
 
-/// A law of hardening with the rate factor of Cowper and Symonds (1957), sigma(e) [1 + (r/D)^(1/p)]:
+/// A rate-independent flow law times the rate factor of Cowper and Symonds (1957), sigma(e) [1 + (r/D)^(1/p)]:
 ///   CowperSymonds{TabulatedHardening{...}, 40.4, 5}
-/// RateVonMises is the same for linear hardening, and cheaper.
+/// RateVonMises is the cheaper form for linear hardening.
 template <RateIndependentFlow Law>
 struct CowperSymonds {
   Law law;
-  double D;  ///< the rate that doubles the flow stress [1/time]
+  double D;  ///< rate that doubles the flow stress [1/time]
   double p;
   double shear_modulus = law.shear_modulus;
 

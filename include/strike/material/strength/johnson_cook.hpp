@@ -3,13 +3,13 @@
 
 namespace strike {
 
-/// Johnson and Cook (1983): sigma = (A + B e^n) (1 + C ln(max(r/r0, 1))) (1 - T*^m), T* = (T - T0)/(Tm - T0) in [0, 1],
-/// heated by its own plastic work.
+/// Flow law of Johnson and Cook (1983): sigma = (A + B e^n) (1 + C ln(max(r/r0, 1))) (1 - T*^m), T* = (T - T0)/(Tm -
+/// T0) in [0, 1], T rises with the plastic work.
 struct JohnsonCook {
-  double shear_modulus;
-  double A, B, n;
-  double C = 0, reference_rate = 1;  ///< r0 [1/time]
-  double m = 1, initial_temperature = 293, melting_temperature = 1e30;
+  double shear_modulus;                                                 ///< [stress]
+  double A, B, n;                                                       ///< [stress], [stress], [1]
+  double C = 0, reference_rate = 1;                                     ///< r0 [1/time]
+  double m = 1, initial_temperature = 293, melting_temperature = 1e30;  ///< [1], T0 and Tm [temperature]
   double heating = 0;  ///< rise of temperature per plastic work, 0.9/(rho0 c_p) [temperature volume/energy]
 
   template <class T>

@@ -5,16 +5,15 @@
 
 namespace strike {
 
-/// Von Mises plasticity whose linear hardening goes by a share b into the size of the yield surface and by the rest
-/// into its place, the back stress a (Prager 1956; Krieg and Key 1976):
+/// Von Mises plasticity with linear hardening, a share b of which grows the yield surface and the rest of which moves
+/// its centre, the back stress a (Prager 1956; Krieg and Key 1976):
 ///   sqrt(3/2 |s - a|^2) = Y + b H e,    da = (1 - b) H dl (s - a)/(Y + b H e)
-/// b = 0 is kinematic hardening, under which a metal shakes down to loops 2 Y wide; b = 1 is VonMises. The return is in
-/// closed form.
+/// b = 0 is kinematic hardening, whose loops are 2 Y wide; b = 1 is VonMises. The return is in closed form.
 struct KinematicHardening {
-  double shear_modulus;        ///< G
-  double yield_stress;         ///< Y
-  double hardening_modulus;    ///< H >= 0
-  double isotropic_share = 0;  ///< b
+  double shear_modulus;        ///< G [stress]
+  double yield_stress;         ///< Y [stress]
+  double hardening_modulus;    ///< H >= 0 [stress]
+  double isotropic_share = 0;  ///< b, from 0 to 1
 
   template <class T>
   struct State {

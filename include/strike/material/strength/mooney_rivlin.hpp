@@ -6,14 +6,14 @@
 
 namespace strike {
 
-/// Rubber (Mooney 1940; Rivlin 1948), W = C10 (I1 - 3) + C01 (I2 - 3) of the motion without its change of volume:
+/// Rubber (Mooney 1940; Rivlin 1948), W = C10 (I1 - 3) + C01 (I2 - 3) of the isochoric part of the motion:
 ///   s = 2/J dev(C10 B - C01 B^-1)
-/// B, the left Cauchy-Green tensor F F^T over its volume, is carried as a spatial tensor: the element turns it, and a
-/// step stretches it by Cayley's form of exp(d), B <- f B f with f = (I - d/2)^-1 (I + d/2), which is what mid-step
-/// kinematics makes of F. C01 = 0 is neo-Hookean. The pressure is that of the equation of state.
+/// B, the isochoric left Cauchy-Green tensor F F^T, is remembered as a spatial tensor: the element turns it, and a step
+/// stretches it by Cayley's form of exp(d), B <- f B f with f = (I - d/2)^-1 (I + d/2), as mid-step kinematics advances
+/// F. C01 = 0 is neo-Hookean. The pressure is that of the equation of state.
 struct MooneyRivlin {
-  double C10, C01 = 0;                     ///< >= 0
-  double shear_modulus = 2 * (C10 + C01);  ///< at rest
+  double C10, C01 = 0;                     ///< >= 0 [stress]
+  double shear_modulus = 2 * (C10 + C01);  ///< at rest [stress]
 
   template <class T>
   struct State {
@@ -28,11 +28,12 @@ struct MooneyRivlin {
     const auto I = SymmetricTensor<T>::isotropic(T(1.0));
     const SymmetricTensor<T> f = T(2.0) * inverse(I - T(0.5) * d) - I;
     const SymmetricTensor<T> B = rotated<T>(f.matrix(), state.stretch);
-    state.stretch = (1.0 / cbrt(determinant(B))) * B;  // det f = 1 but for the cube of d
+    state.stretch = (1.0 / cbrt(determinant(B))) * B;  // det f = 1 to the third order of d
     return (2.0 / J) * deviator(T(C10) * state.stretch - T(C01) * inverse(state.stretch));
   }
 
-  /// Bounds that of the tangent, which is (2/J) [C10 (2/3 n.B n + 2/9 tr B) + the same of C01 and B^-1] along n.
+  /// Bound of the tangent's shear modulus, (2/J) [C10 (2/3 n.B n + 2/9 tr B) + C01 (2/3 n.B^-1 n + 2/9 tr B^-1)] along
+  /// n.
   template <class T>
   T stiffness(const State<T>& state, const T& J) const {
     const SymmetricTensor<T>& B = state.stretch;

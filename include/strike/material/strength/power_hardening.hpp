@@ -3,11 +3,12 @@
 
 namespace strike {
 
-/// Swift (1952): sigma = K (e0 + e)^n, that begins to flow at Y = K e0^n. Hollomon's law of the total strain is the
-/// same with e0 = (K/E)^(1/(1 - n)), the strain at which it leaves the elastic line; Ludwik's A + B e^n is JohnsonCook.
+/// Flow law of Swift (1952), sigma = K (e0 + e)^n with the yield stress Y = K e0^n. e0 = (K/E)^(1/(1 - n)), the strain
+/// at which Hollomon's law of the total strain leaves the elastic line, makes it Hollomon's; Ludwik's A + B e^n is
+/// JohnsonCook.
 struct PowerHardening {
-  double shear_modulus;
-  double coefficient;     ///< K
+  double shear_modulus;   ///< [stress]
+  double coefficient;     ///< K [stress]
   double exponent;        ///< n, from 0 to 1
   double initial_strain;  ///< e0 > 0: (Y/K)^(1/n)
 

@@ -8,25 +8,25 @@
 
 namespace strike {
 
-/// Linear viscoelasticity of the shape, by Maxwell's elements beside a spring: the shear modulus relaxes as
+/// Linear viscoelasticity of the deviator, by Maxwell's elements beside a spring: the shear modulus relaxes as
 ///   G(t) = G0 [1 - sum g_k (1 - exp(-t/t_k))]
-/// and the part of each element is integrated exactly for the rate of the step, whatever dt/t_k (Taylor, Pister and
-/// Goudreau 1970): h <- exp(-dt/t_k) h + 2 G0 g_k (1 - exp(-dt/t_k))/(dt/t_k) d.
-/// After a quick load and unload it recovers: held still, its stress then grows towards that of the spring.
+/// and the part of each element is integrated exactly for a constant rate in the step, at any dt/t_k (Taylor, Pister
+/// and Goudreau 1970): h <- exp(-dt/t_k) h + 2 G0 g_k (1 - exp(-dt/t_k))/(dt/t_k) d. Recovery: after a quick load and
+/// unload the stress at rest grows towards that of the spring.
 ///   Prony<2> pvb{.shear_modulus = G0, .terms = {{.share = .9, .time = 1e-3}, {.share = .09, .time = 1}}};
 template <std::size_t n>
 struct Prony {
   struct Term {
-    double share;  ///< g_k of G0, their sum at most 1
+    double share;  ///< g_k of G0, their sum at most 1 [1]
     double time;   ///< t_k > 0, of relaxation [time]
   };
 
-  double shear_modulus;  ///< G0, instantaneous
+  double shear_modulus;  ///< G0, instantaneous [stress]
   Term terms[n];
 
   template <class T>
   struct State {
-    std::array<SymmetricTensor<T>, n> overstress{};  ///< h_k, what is still to relax
+    std::array<SymmetricTensor<T>, n> overstress{};  ///< h_k, still to relax [stress]
 
     auto spatial_tensors() {
       return std::apply([](auto&... h) { return std::tie(h...); }, overstress);

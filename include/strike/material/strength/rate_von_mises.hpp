@@ -6,13 +6,13 @@
 
 namespace strike {
 
-/// Von Mises plasticity of X3D (Brockman and Held 1991): linear hardening and a power-law correction for the rate,
-///   sigma = (Y + H e) (1 + C r^n),
-/// in which the hardening is scaled too. Cowper and Symonds' D and p are C = D^(-1/p), n = 1/p.
+/// Von Mises plasticity of X3D (Brockman and Held 1991), linear hardening scaled by a power law of the rate:
+///   sigma = (Y + H e) (1 + C r^n)
+/// Cowper and Symonds' D and p are C = D^(-1/p), n = 1/p.
 struct RateVonMises {
-  double shear_modulus;          ///< G
-  double yield_stress;           ///< Y, quasi-static
-  double hardening_modulus = 0;  ///< H >= 0
+  double shear_modulus;          ///< G [stress]
+  double yield_stress;           ///< Y, quasi-static [stress]
+  double hardening_modulus = 0;  ///< H >= 0 [stress]
   double rate_factor = 0;        ///< C [time^n]
   double rate_exponent = 1;      ///< n > 0
 

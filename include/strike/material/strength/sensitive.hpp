@@ -23,8 +23,8 @@ constexpr std::size_t variables_of() {
     return 0;
 }
 
-/// A number with derivatives by N variables as the number U of a formula: with these derivatives if U carries them, be
-/// it deep inside (a dual number of duals), else as a constant.
+/// A number with derivatives by N variables as the number U of a formula: with these derivatives if U, or the number
+/// inside it (a dual number of duals), carries them, else as a constant.
 template <class U, std::size_t N>
 U embedded(const Dual<double, N>& a) {
   constexpr bool nested = requires(U u) { u.value().value(); };
@@ -53,15 +53,14 @@ auto heating_of(const Law& law) {
 
 }  // namespace detail
 
-/// A strength law some of whose parameters have derivatives by N variables, so that all that a run in dual numbers
-/// computes has them too. The law stays as it is; its parameters are named by their members:
+/// A strength law with derivatives of some parameters by N variables, so that all results of a run in dual numbers have
+/// them too. The law stays as it is; its parameters are named by their members:
 ///   const std::array p{Dual<double, 2>::variable(0.4, 0), Dual<double, 2>::variable(0.1, 1)};
 ///   Sensitive{VonMises{.shear_modulus = 43.3}, p, &VonMises::yield_stress, &VonMises::hardening_modulus}
-/// Since they are plain numbers there, d sigma/dp at fixed strain, rate and temperature is the difference quotient of
-/// fourth order of the law's own formula over 1e-3 p (Abramowitz and Stegun 1964, 25.3.6): exact to rounding where p
-/// stands linearly, to some 1e-12 where the formula is smooth in it. In plain numbers it is the law with the values
-/// of p.
-/// Errors: a parameter that is 0 and so has no scale, or that acts outside the flow stress.
+/// The members are plain numbers, so d sigma/dp at fixed strain, rate and temperature is the difference quotient of
+/// fourth order of the law's own formula over 1e-3 p (Abramowitz and Stegun 1964, 25.3.6): exact to rounding where the
+/// formula is linear in p, to some 1e-12 where it is smooth in it. In plain numbers Sensitive is the law with the
+/// values of p. Errors: a parameter that is 0 and so has no scale, or that acts outside the flow stress.
 template <class Law, std::size_t N, std::size_t M>
 class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
  public:
@@ -86,7 +85,7 @@ class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
     }
   }
 
-  /// The law with the values of its parameters.
+  /// The law in plain numbers.
   const Law& law() const { return law_; }
 
   std::string warning() const
@@ -119,7 +118,7 @@ class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
     };
     const double p = parameters_[i].value();
     if (!(std::abs(p) > 0 && std::isfinite(p)))
-      refuse(detail::joined({"is ", detail::text(p), " and so has no scale; begin with another value."}));
+      refuse(detail::joined({"is ", detail::text(p), " and so has no scale; start with another value."}));
     bool outside = members_[i] == &Law::shear_modulus;
     if constexpr (ThermalFlow<Law>)
       outside = outside || members_[i] == &Law::heating || members_[i] == &Law::initial_temperature;

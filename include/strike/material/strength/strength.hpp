@@ -8,55 +8,60 @@
 
 namespace strike {
 
-/// A law of isotropic plasticity (von Mises): an aggregate with its `shear_modulus` and one formula,
-///   flow_stress(equivalent_plastic_strain),                            or
-///   flow_stress(equivalent_plastic_strain, rate),                      or
-///   flow_stress(equivalent_plastic_strain, rate, temperature)  with  initial_temperature  and  heating, the rise of
-/// the temperature per plastic work [temperature volume/energy]. All the rest follows. A law that knows its plastic
-/// increment in closed form, or a better way to it, gives it as `plastic_increment(q, equivalent_plastic_strain, dt)`.
-/// Laws: the flow stress is not negative and does not fall with the rate.
-template <class S>
-concept RateIndependentFlow = requires(const S law, double x) {
+/// A strength: how a solid resists a change of shape. The pressure is that of its equation of state.
+///
+/// Requirements
+/// 1. `shear_modulus` [stress]: the stiffest that it answers with, unless it has `stiffness`.
+/// 2. One of these formulas, a template over the number T:
+///    a. a flow law of isotropic plasticity (von Mises), `flow_stress(e)`, `flow_stress(e, rate)`, or
+///       `flow_stress(e, rate, temperature)` with the members `initial_temperature` and `heating`, the rise of the
+///       temperature per plastic work [temperature volume/energy]; e is the equivalent plastic strain;
+///    b. `deviatoric_stress(s, d)`: the new deviator from the old one, already turned, and the increment d of the
+///       deviatoric strain;
+///    c. `deviatoric_stress(state, s, d, J, dt)` with a `State<T>` of its own; J = V/V0.
+/// Optional
+/// 3. `plastic_increment(q, e, dt)` of a flow law: its increment of plastic strain in closed form, or a better way to
+///    it; q is the equivalent of the trial stress.
+/// 4. `stiffness(state, J)`: a bound of the tangent's shear modulus, where it may exceed `shear_modulus`.
+/// 5. `State::spatial_tensors()`: a tuple of references to what the element turns.
+/// 6. `warning()`: a text for the user, empty if there is nothing to say.
+/// Laws: the flow stress is not negative and does not fall with the rate; the stress does no negative plastic work.
+/// Models: VonMises, RateVonMises, PowerHardening, TabulatedHardening, CowperSymonds, JohnsonCook, ZerilliArmstrong,
+/// Sensitive (a); ElasticStrength (b); KinematicHardening, Prony, MooneyRivlin (c).
+template <class S, class T = double>
+concept RateIndependentFlow = requires(const S law, const T x) {
   { law.shear_modulus } -> std::convertible_to<double>;
-  { law.flow_stress(x) } -> std::convertible_to<double>;
+  { law.flow_stress(x) } -> std::convertible_to<T>;
 };
-template <class S>
-concept RateDependentFlow = requires(const S law, double x) {
+template <class S, class T = double>
+concept RateDependentFlow = requires(const S law, const T x) {
   { law.shear_modulus } -> std::convertible_to<double>;
-  { law.flow_stress(x, x) } -> std::convertible_to<double>;
+  { law.flow_stress(x, x) } -> std::convertible_to<T>;
 };
-template <class S>
-concept ThermalFlow = requires(const S law, double x) {
+template <class S, class T = double>
+concept ThermalFlow = requires(const S law, const T x) {
   { law.shear_modulus } -> std::convertible_to<double>;
-  { law.flow_stress(x, x, x) } -> std::convertible_to<double>;
+  { law.flow_stress(x, x, x) } -> std::convertible_to<T>;
   { law.heating } -> std::convertible_to<double>;
   { law.initial_temperature } -> std::convertible_to<double>;
 };
-template <class S>
-concept FlowLaw = RateIndependentFlow<S> || RateDependentFlow<S> || ThermalFlow<S>;
-
-/// A model of its own that remembers something, in a `State<T>` whose `spatial_tensors()`, if it has them, are turned:
-/// `deviatoric_stress(state, s, d, J, dt)`, where J = V/V0; and if its tangent may exceed its `shear_modulus`, the
-/// bound `stiffness(state, J)`.
-template <class S>
+template <class S, class T = double>
+concept FlowLaw = RateIndependentFlow<S, T> || RateDependentFlow<S, T> || ThermalFlow<S, T>;
+template <class S, class T = double>
 concept StrengthWithMemory =
-    requires(const S strength, typename S::template State<double> state, const SymmetricTensor<double> s) {
+    requires(const S strength, typename S::template State<T> state, const SymmetricTensor<T> s, const T J) {
       { strength.shear_modulus } -> std::convertible_to<double>;
-      { strength.deviatoric_stress(state, s, s, 1.0, 1.0) } -> std::same_as<SymmetricTensor<double>>;
+      { strength.deviatoric_stress(state, s, s, J, 1.0) } -> std::same_as<SymmetricTensor<T>>;
     };
-
-/// How a solid resists a change of shape: a flow law, or a model of its own that has a `shear_modulus`, the stiffest
-/// that it answers with, and `deviatoric_stress(s, d)`: the new deviator from the old one (already turned) and the
-/// deviatoric strain increment d; or one with memory.
-template <class S>
-concept Strength = FlowLaw<S> || StrengthWithMemory<S> || requires(const S strength, const SymmetricTensor<double> s) {
+template <class S, class T = double>
+concept Strength = FlowLaw<S, T> || StrengthWithMemory<S, T> || requires(const S strength, const SymmetricTensor<T> s) {
   { strength.shear_modulus } -> std::convertible_to<double>;
-  { strength.deviatoric_stress(s, s) } -> std::same_as<SymmetricTensor<double>>;
+  { strength.deviatoric_stress(s, s) } -> std::same_as<SymmetricTensor<T>>;
 };
 
-/// No plasticity: Hooke's law for the deviator.
+/// Hooke's law for the deviator, without plasticity.
 struct ElasticStrength {
-  double shear_modulus;
+  double shear_modulus;  ///< G [stress]
 
   template <class T>
   SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>& d) const {
@@ -80,7 +85,7 @@ struct ThermalPlasticity {
   template <class T>
   struct State {
     T equivalent_plastic_strain{};
-    T temperature_rise{};
+    T temperature_rise{};  ///< [temperature]
   };
 };
 template <class S>
@@ -89,7 +94,7 @@ struct OwnMemory {
   using State = typename S::template State<T>;
 };
 template <class S>
-constexpr auto strength_state() {
+constexpr auto strength_memory() {
   if constexpr (ThermalFlow<S>)
     return ThermalPlasticity{};
   else if constexpr (FlowLaw<S>)
@@ -100,7 +105,7 @@ constexpr auto strength_state() {
     return NoPlasticity{};
 }
 
-/// The number without the derivatives that it may have.
+/// A number without its derivatives.
 template <class T>
 T constant(const T& x) {
   return x;
@@ -110,10 +115,10 @@ Dual<T, N> constant(const Dual<T, N>& x) {
   return x.value();
 }
 
-/// The root of a falling f in (0, 1) from the guess x, by steps that a bracket keeps safe. They are Newton's in ln x,
-/// for power laws and logarithms take the root over many decades. `active` marks the lanes that count; f takes and
-/// gives Dual<T, 1>; `tolerance` is in the units of f. The last step always is Newton's: it alone gives a dual root its
-/// derivatives, those of the implicit function.
+/// The root of a falling f in (0, 1) from the guess x, by Newton's steps in ln x inside a bracket: with power laws and
+/// logarithms the root ranges over many decades. `active` marks the lanes that count; f takes and gives Dual<T, 1>;
+/// `tolerance` is in the units of f. The last step is always Newton's: it gives a dual root the derivatives of the
+/// implicit function.
 template <class T, class F, class M>
 T falling_root(F f, T x, const M& active, const T& tolerance) {
   T lower = T(0.0), upper = T(1.0);
@@ -130,7 +135,7 @@ T falling_root(F f, T x, const M& active, const T& tolerance) {
   return x;
 }
 
-/// The flow stress of a law of any kind, with the temperature of the state.
+/// The flow stress of a flow law of any kind, at the temperature of the state.
 template <FlowLaw S, class U, class State>
 U flow_stress(const S& law, const State& state, const U& strain, const U& rate) {
   if constexpr (ThermalFlow<S>)
@@ -143,9 +148,9 @@ U flow_stress(const S& law, const State& state, const U& strain, const U& rate) 
 
 }  // namespace detail
 
-/// What a material with this strength has to remember for it besides the stress.
+/// The memory of a strength besides the stress.
 template <Strength S, class T>
-using StrengthState = typename decltype(detail::strength_state<S>())::template State<T>;
+using StrengthState = typename decltype(detail::strength_memory<S>())::template State<T>;
 
 /// The equivalent plastic strain that brings the trial equivalent stress q back to the yield surface, implicit in the
 /// strain and the rate: q - 3 G dl = flow_stress(e + dl, dl/dt).

@@ -9,17 +9,17 @@
 
 namespace strike {
 
-/// Von Mises plasticity with the flow stress of a test, in straight pieces between points and level after the last:
+/// Von Mises plasticity with the flow stress of a test, linear between points and constant after the last:
 ///   TabulatedHardening{80e9, {{0, 400e6}, {0.02, 450e6}, {0.1, 500e6}}}
 class TabulatedHardening {
  public:
   struct Point {
-    double plastic_strain, stress;  ///< equivalent plastic strain (logarithmic), true stress
+    double plastic_strain, stress;  ///< equivalent plastic strain (logarithmic) [1], true stress [stress]
   };
 
-  double shear_modulus;  ///< G
+  double shear_modulus;  ///< G [stress]
 
-  /// Errors: no points; strains that do not begin at 0 or do not rise; a stress below zero or one that falls as steeply
+  /// Errors: no points; strains that do not start at 0 or do not rise; a stress below zero or one that falls as steeply
   /// as 3 G, the slope at which a stress relaxes.
   TabulatedHardening(double G, const std::vector<Point>& points) : shear_modulus(G) {
     if (points.empty()) throw Error("strike: a TabulatedHardening has no points: give it at least one.");
@@ -27,7 +27,7 @@ class TabulatedHardening {
       throw Error(
           detail::joined({"strike: the first point of a TabulatedHardening is at the plastic strain ",
                           detail::text(points.front().plastic_strain),
-                          ": begin at 0 with the yield stress, and subtract the elastic strain from the rest."}));
+                          ": start at 0 with the yield stress, and subtract the elastic strain from the rest."}));
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto& [strain, stress] = points[i];
       const auto refuse = [&, here = i](const std::string& what) {
@@ -43,15 +43,15 @@ class TabulatedHardening {
           refuse(
               detail::joined({"falls as steeply as 3 G, so that no step can end on it: spread the fall over more than ",
                               detail::text((before.stress - stress) / (3 * G)), "."}));
-        pieces_.back().slope = slope;
+        segments_.back().slope = slope;
       }
-      pieces_.push_back({strain, stress, 0});
+      segments_.push_back({strain, stress, 0});
     }
   }
 
   std::string warning() const {
-    for (const Piece& piece : pieces_)
-      if (piece.slope < 0)
+    for (const Segment& segment : segments_)
+      if (segment.slope < 0)
         return "A table of hardening falls: strain that softens gathers in one row of elements, and the result depends "
                "on the mesh.";
     return {};
@@ -59,24 +59,25 @@ class TabulatedHardening {
 
   template <class T>
   T flow_stress(const T& e) const {
-    T sigma = pieces_.front().at(e);
-    for (const Piece& piece : pieces_) sigma = select(e >= piece.strain, piece.at(e), sigma);
+    T sigma = segments_.front().at(e);
+    for (const Segment& segment : segments_) sigma = select(e >= segment.strain, segment.at(e), sigma);
     return sigma;
   }
 
-  /// q - 3 G dl = sigma(e + dl) in closed form: sigma + 3 G e rises, so that its value q + 3 G e tells the piece, and
-  /// the rest is the return of linear hardening.
+  /// q - 3 G dl = sigma(e + dl) in closed form: sigma + 3 G e rises, so that its value q + 3 G e gives the segment; the
+  /// rest is the return of linear hardening.
   template <class T>
   T plastic_increment(const T& q, const T& e, double) const {
     const double G3 = 3 * shear_modulus;
     T dl = T(0.0);
-    for (const Piece& piece : pieces_)
-      dl = select(q - piece.stress >= G3 * (piece.strain - e), (1 / (G3 + piece.slope)) * (q - piece.at(e)), dl);
+    for (const Segment& segment : segments_)
+      dl =
+          select(q - segment.stress >= G3 * (segment.strain - e), (1 / (G3 + segment.slope)) * (q - segment.at(e)), dl);
     return max(T(0.0), dl);
   }
 
  private:
-  struct Piece {
+  struct Segment {
     double strain, stress, slope;
 
     template <class T>
@@ -84,7 +85,7 @@ class TabulatedHardening {
       return stress + slope * (e - strain);
     }
   };
-  std::vector<Piece> pieces_;
+  std::vector<Segment> segments_;
 };
 
 }  // namespace strike

@@ -7,9 +7,9 @@ namespace strike {
 
 /// Von Mises plasticity with linear isotropic hardening: sigma = Y + H e, never below zero.
 struct VonMises {
-  double shear_modulus;          ///< G
-  double yield_stress;           ///< Y
-  double hardening_modulus = 0;  ///< H = d sigma / d (plastic strain), > -3 G; negative is softening
+  double shear_modulus;          ///< G [stress]
+  double yield_stress;           ///< Y [stress]
+  double hardening_modulus = 0;  ///< H = d sigma / d (plastic strain), > -3 G; negative is softening [stress]
 
   std::string warning() const {
     if (hardening_modulus >= 0) return {};

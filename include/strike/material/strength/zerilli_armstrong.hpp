@@ -5,19 +5,19 @@
 
 namespace strike {
 
-/// Zerilli and Armstrong (1987), of dislocations that cross their barriers by thermal activation, with both of their
-/// lattices in one formula:
+/// Flow law of Zerilli and Armstrong (1987), of dislocations that cross barriers by thermal activation, with both of
+/// their lattices in one formula:
 ///   sigma = C0 + [C1 + C2 sqrt(e)] exp(-C3 T + C4 T ln(r/r0)) + C5 e^n
-/// bcc (iron) has C2 = 0 (eq. 20), fcc (copper) C1 = C5 = 0 (eq. 19). T is absolute, and grows by the plastic work. As
-/// the rate vanishes, so does the thermal part.
+/// bcc (iron) has C2 = 0 (eq. 20), fcc (copper) C1 = C5 = 0 (eq. 19). T is absolute and rises with the plastic work.
+/// The thermal part vanishes with the rate.
 struct ZerilliArmstrong {
-  double shear_modulus;
-  double C0;  ///< of solutes and grains, sigma_G + k/sqrt(l)
-  double C1 = 0, C2 = 0;
-  double C3, C4;  ///< [1/temperature]
-  double C5 = 0, n = 1;
-  double reference_rate = 1;  ///< r0 [1/time]
-  double initial_temperature = 293;
+  double shear_modulus;              ///< [stress]
+  double C0;                         ///< of solutes and grains, sigma_G + k/sqrt(l) [stress]
+  double C1 = 0, C2 = 0;             ///< [stress]
+  double C3, C4;                     ///< [1/temperature]
+  double C5 = 0, n = 1;              ///< [stress], [1]
+  double reference_rate = 1;         ///< r0 [1/time]
+  double initial_temperature = 293;  ///< [temperature]
   double heating = 0;  ///< rise of temperature per plastic work, 0.9/(rho0 c_p) [temperature volume/energy]
 
   template <class T>

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include <strike/dynamics/dynamic_relaxation.hpp>
 #include <strike/dynamics/explicit.hpp>
-#include <strike/dynamics/relaxation.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/load/body_force.hpp>

@@ -1,0 +1,91 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <strike/ascending.hpp>
+#include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/search.hpp>
+#include <strike/contact/target.hpp>
+#include <strike/mesh/mesh.hpp>
+
+namespace strike::detail {
+
+/// The faces near each node, found by a BucketSearch with a margin and kept until nodes and faces may have moved by it.
+template <bool self>
+class NearFaces {
+ public:
+  /// Searches faces within `reach` of the nodes, and a `margin` more [length].
+  void sort(const ContactNodes& all, std::span<const Index> nodes, const Target& target, double reach, double margin) {
+    ++sorts_;
+    const double apart = search_.sort(nodes, target.faces(), all.x, reach + margin);
+    margin_ = margin + apart, travelled_ = 0;
+    largest_inverse_mass_ = 0;
+    for (const Index s : search_.awake()) {
+      double corner = 0;
+      for (const Index f : search_.near(s))
+        for (const Index i : target.faces()[f]) corner = std::max(corner, all.inverse_mass(i));
+      largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(nodes[s]) + corner);
+    }
+  }
+  /// Searches again if nodes and faces may have moved by the margin at the end of a step; `size` is that of the faces.
+  void update(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target, double reach, double size,
+              double dt) {
+    const double speed = relative_speed(all, nodes, target);
+    step_reach_ = dt * speed;
+    if (!(travelled_ + step_reach_ <= margin_)) sort(all, nodes, target, reach, std::max(3 * step_reach_, 0.25 * size));
+    travelled_ += step_reach_;
+  }
+  /// Corrects the distance travelled by what the impulses of the step have sped up.
+  void moved(const ContactNodes& all, double dt) {
+    double most = 0;
+    for (const Index i : all.touched()) most = std::max(most, (all.v[i] - mean_velocity_).norm());
+    travelled_ += std::max(0.0, 2 * dt * most - step_reach_);
+  }
+  /// Drops what belongs to faces that have changed.
+  void forget() { corners_.clear(), margin_ = -1; }
+
+  /// Faces near node s of the list, in ascending order.
+  std::span<const Index> of(std::size_t s) const { return search_.near(s); }
+  /// Nodes that have a face near, by their places in the list.
+  const std::vector<Index>& awake() const { return search_.awake(); }
+  /// Bound of the distance that a node covers in the step relative to a face [length].
+  double step_reach() const { return step_reach_; }
+  /// The largest 1/m* of a node and a corner near it [1/mass]: a bound for the stiffness of springs.
+  double largest_inverse_mass() const { return largest_inverse_mass_; }
+  std::size_t sorts() const { return sorts_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(corners_, search_, margin_, travelled_, largest_inverse_mass_, sorts_);
+  }
+
+ private:
+  /// Bound of the speed of a node relative to a face: the largest speeds of both relative to the faces' mean velocity.
+  double relative_speed(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target) {
+    if (corners_.empty()) {
+      for (const auto& face : target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
+      corners_ = ascending(std::move(corners_));
+    }
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Index i : corners_) sum += all.v[i];
+    mean_velocity_ = (1 / static_cast<double>(corners_.size())) * sum;
+    const auto fastest = [&](const std::vector<Index>& some) {
+      double most = 0;
+      for (const Index i : some) most = std::max(most, (all.v[i] - mean_velocity_).squaredNorm());
+      return std::sqrt(most);
+    };
+    const double of_faces = fastest(corners_);
+    return of_faces + (self ? of_faces : fastest(nodes));
+  }
+
+  BucketSearch search_;
+  std::vector<Index> corners_;  // of the faces, each once
+  Eigen::Vector3d mean_velocity_ = Eigen::Vector3d::Zero();
+  double margin_ = -1, travelled_ = 0, step_reach_ = 0, largest_inverse_mass_ = 0;
+  std::size_t sorts_ = 0;
+};
+
+}  // namespace strike::detail

@@ -1,0 +1,207 @@
+#pragma once
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <strike/contact/concepts.hpp>
+#include <strike/contact/friction.hpp>
+#include <strike/contact/rigid.hpp>
+#include <strike/contact/touch.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/motion/step.hpp>
+#include <strike/tensor/tensor.hpp>
+
+namespace strike::detail {
+
+/// Nodes that may touch a rigid half-space and leave it but not enter, by the Kinematic law in the numbers of the run.
+/// A node that would enter gets the impulse that brings it to the plane at the end of the step: an inelastic impact,
+/// which takes m v^2/2 of it, for a bar of N elements 1/(2 N) of the energy. It works on the nodes of the scene
+/// themselves: nodes that do not touch cost one look at their position and velocity.
+template <Friction F>
+class PlaneContact {
+ public:
+  /// All nodes of the scene, or those given.
+  PlaneContact(const RigidPlane& plane, std::optional<std::vector<Index>> nodes, F friction)
+      : point_(plane.point), normal_(plane.normal.normalized()), friction_(friction), nodes_(std::move(nodes)) {}
+
+  /// Nodes that start inside keep their initial depth without force until they leave. Error: no such node.
+  template <class N>
+  void begin(const N& nodes) {
+    if (nodes_) {
+      for (const Index i : *nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
+    } else {
+      places_.resize(nodes.size());
+      std::iota(places_.begin(), places_.end(), Index{0});
+    }
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const Eigen::Vector3d x = position(nodes, places_[k]);
+      const double depth = normal_.dot(point_ - x);
+      if (!(depth > 0)) continue;
+      inside_.push_back({k, depth});
+      const Index i = nodes.number(places_[k]);
+      if (depth > std::max(1e-9 * x.norm(), rounding(nodes, i))) initial_.add(i, x, depth);
+    }
+  }
+
+  template <class N, class Ledger>
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
+    using Number = typename N::Number;
+    using Vector = typename N::Vector;
+    touches_.clear();
+    reduce_initial_depths(nodes);
+    Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const Index place = places_[k];
+      const Vector x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
+      const Number approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
+      if (!(excess > 0)) continue;
+      const Index i = nodes.number(place);
+      const double initial_depth = initial_depth_of(k);
+      const Number depth = normal_.dot(point_ - x) - initial_depth;
+      const Number way = no_faster_out(initial_depth > 0 ? Number(excess - initial_depth) : excess, depth, approach,
+                                       step.dt, rounding(nodes, i));
+      if (!(way > 0)) continue;
+      const Vector given = stop(nodes, i, v, approach, Number(way / step.dt), step.kick(), ledger);
+      if (!(given.squaredNorm() > 0)) continue;
+      touches_.push_back({i, given.template cast<double>(), static_cast<double>(depth)});
+      impulse += touches_.back().impulse;
+    }
+    impulse_ += impulse;
+    force_ = impulse / step.kick();
+    kick_ = step.kick();
+  }
+
+  /// One sentence on nodes that start inside; empty if there are none.
+  std::string warning() const { return initial_.warning(); }
+
+  /// The force on the nodes in the last step.
+  const Eigen::Vector3d& force() const { return force_; }
+  /// The impulse on the nodes since the start [force time].
+  const Eigen::Vector3d& impulse() const { return impulse_; }
+  /// The forces of the last step on every node of the scene, whose number is `nodes`.
+  std::vector<Eigen::Vector3d> forces(std::size_t nodes) const {
+    std::vector<Eigen::Vector3d> all(nodes, Eigen::Vector3d::Zero());
+    for (const TouchingNode& touch : touches_) all.at(touch.node) = touch.impulse / kick_;
+    return all;
+  }
+  /// The largest depth in the last step, less the initial depth [length].
+  double penetration() const {
+    double most = 0;
+    for (const TouchingNode& touch : touches_) most = std::max(most, touch.depth);
+    return most;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(force_, impulse_, kick_, inside_, touches_);
+  }
+
+ private:
+  /// A node in contact: its impulse in this step [force time] and its depth at the start of the step [length].
+  struct TouchingNode {
+    Index node = 0;
+    Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+    double depth = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(node, impulse, depth);
+    }
+  };
+  /// Initial penetration of entry k of the list of nodes, tolerated without force [length].
+  struct InitialDepth {
+    std::size_t k;
+    double depth;
+  };
+
+  template <class N>
+  static Eigen::Vector3d position(const N& nodes, Index place) {
+    return N::told(nodes.position()[place]).template cast<double>();
+  }
+  /// A node that has come up starts anew from its present depth, or from the plane.
+  template <class N>
+  void reduce_initial_depths(const N& nodes) {
+    if (inside_.empty()) return;
+    for (auto& [k, depth] : inside_) depth = std::clamp(normal_.dot(point_ - position(nodes, places_[k])), 0.0, depth);
+    std::erase_if(inside_, [](const InitialDepth& initial) { return !(initial.depth > 0); });
+  }
+  double initial_depth_of(std::size_t k) const {
+    if (inside_.empty()) return 0;
+    const auto at = std::lower_bound(inside_.begin(), inside_.end(), k,
+                                     [](const InitialDepth& initial, std::size_t key) { return initial.k < key; });
+    return at != inside_.end() && at->k == k ? at->depth : 0;
+  }
+
+  /// Spacing of the coordinates of node i, below which no depth counts [length].
+  template <class N>
+  static double rounding(const N& nodes, Index i) {
+    return 4 * nodes.resolution(i);
+  }
+  /// The way that the impulse gives the node in the step: to the plane, but out no faster than it came in, so that no
+  /// impulse adds energy.
+  template <class Number>
+  static Number no_faster_out(const Number& to_plane, const Number& depth, const Number& approach, double dt,
+                              double rounding) {
+    return depth > rounding ? min(to_plane, Number(-2 * dt * approach)) : to_plane;
+  }
+
+  /// Gives node i the velocity `change` along the normal, and friction; returns the impulse.
+  template <class N, class Ledger>
+  typename N::Vector stop(N& nodes, Index i, const typename N::Vector& v, const typename N::Number& approach,
+                          const typename N::Number& change, double kick, Ledger& ledger) const {
+    using Number = typename N::Number;
+    using Vector = typename N::Vector;
+    const Eigen::Vector3d away = nodes.free(i, normal_);
+    const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
+    if (!(inverse_effective_mass > 1e-6)) return Vector::Zero();
+    const double mass = nodes.mass(i);
+    const Number push = mass * change / inverse_effective_mass;
+    const Vector sliding = nodes.free(i, Vector(v - approach * normal_));
+    const Number drag = drag_per_velocity(push, Number(sliding.norm()), mass);
+    const Vector given = push * away - drag * sliding;
+    const Vector before = v - (kick / mass) * nodes.f(i);
+    const Vector after = v + (1 / mass) * given;
+    nodes.set_velocity(i, after);
+    ledger.contact.book_impulse(static_cast<double>(-push * away.dot(before)),
+                                static_cast<double>(-push * away.dot(after)));
+    ledger.friction.book_impulse(static_cast<double>(drag * sliding.dot(before)),
+                                 static_cast<double>(drag * sliding.dot(after)));
+    return given;
+  }
+
+  /// The impulse of friction over the speed of sliding [mass]: the mass of a node that sticks.
+  template <class Number>
+  Number drag_per_velocity(const Number& push, const Number& speed, double mass) const {
+    static constexpr bool computes_in_number = requires(F friction) {
+      { friction.impulse(push, push) } -> std::convertible_to<Number>;
+    };
+    static_assert(computes_in_number,
+                  "strike: in a run of dual numbers the impulse(normal, stops) of a friction takes and returns these "
+                  "numbers; make it a template over them, as Coulomb has it.");
+    if constexpr (std::is_same_v<F, Frictionless> || !computes_in_number) {
+      return Number(0.0);
+    } else {
+      if (!(speed > 0)) return Number(0.0);
+      const Number stops = mass * speed, impulse = friction_.impulse(push, stops);
+      return impulse < stops ? Number(impulse / speed) : Number(mass);
+    }
+  }
+
+  Eigen::Vector3d point_, normal_;
+  [[no_unique_address]] F friction_;
+  std::optional<std::vector<Index>> nodes_;
+  std::vector<Index> places_;          // of the nodes in memory
+  std::vector<InitialDepth> inside_;   // in ascending order of k
+  std::vector<TouchingNode> touches_;  // of the last step
+  InitialPenetration initial_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero(), impulse_ = Eigen::Vector3d::Zero();
+  double kick_ = 1;
+};
+
+}  // namespace strike::detail

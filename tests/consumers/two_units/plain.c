@@ -1,0 +1,2 @@
+/* C knows nothing of the headers. */
+int plain(void) { return 0; }

@@ -1,0 +1,17 @@
+// expect: the clearance of this rigid body does not fit
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+struct Floor {
+  double clearance(const Eigen::Vector3d& x) const { return x.z(); }
+};
+
+int main() {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                    VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
+  Explicit run{
+      Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}, Contact{NodeToRigid{all_nodes(mesh.nodes), Floor{}}}}};
+  run.until(1e-3, [&] { return run.item<1>().force().norm(); });
+}

@@ -1,0 +1,16 @@
+// expect: a pairing of your own with numbers(), first() and start(nodes)
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+struct Pair : SelfContact {
+  auto start(const Nodes<double>&) const { return 0; }
+};
+
+int main() {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                    VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
+  Explicit run{Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}, Contact{Pair{{Surface{surface(mesh)}}}}}};
+  run.until(1e-3, [&] { return run.item<1>().force().norm(); });
+}

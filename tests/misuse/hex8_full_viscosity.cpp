@@ -1,0 +1,11 @@
+// expect: the second policy of Hex8Full is its bulk viscosity
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+int main() {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  const Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+  Explicit run{Scene{mesh.nodes, Part{Hex8Full{Jaumann{}, EndStep{}}, steel, mesh.hexahedra}}};
+  run.until(1e-3);
+}

@@ -1,0 +1,15 @@
+// expect: intact of a material is template <class T> T intact(const State<T>& state) const
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+struct Jelly : Elastic {
+  bool intact() const { return true; }
+};
+
+int main() {
+  const Jelly material{{.density = 1000, .youngs_modulus = 1e6}};
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  Explicit run{Scene{mesh.nodes, Part{Hex8{}, material, mesh.hexahedra}}};
+  run.until(1e-3);
+}

@@ -1,0 +1,12 @@
+// expect: the third policy of Plate4 is its thickness
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+int main() {
+  const Mesh mesh = rectangle({.size = {1, 1}, .cells = {1, 1}});
+  const PlaneStress steel{Elastic{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3}};
+  Explicit run{Scene{mesh.nodes, Part{Plate4{PlateHourglass{}, NoWarping{}, RigidOffset{}}, Homogeneous{steel, 0.01},
+                                      mesh.quadrilaterals}}};
+  run.until(1e-3);
+}

@@ -1,0 +1,12 @@
+// expect: the second policy of Plate4 is what it makes of a warp
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+int main() {
+  const Mesh mesh = rectangle({.size = {1, 1}, .cells = {1, 1}});
+  const PlaneStress steel{Elastic{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3}};
+  Explicit run{Scene{mesh.nodes, Part{Plate4{NoPlateHourglass{}, DrillingStiffness{}}, Homogeneous{steel, 0.01},
+                                      mesh.quadrilaterals}}};
+  run.until(1e-3);
+}

@@ -1,0 +1,16 @@
+// expect: warning of a strength is std::string warning() const
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+struct Soft : VonMises {
+  bool warning() const { return hardening_modulus < 0; }
+};
+
+int main() {
+  const Solid material{LinearEos{.density = 2500, .bulk_modulus = 42e9},
+                       Soft{{.shear_modulus = 29e9, .yield_stress = 4e8}}};
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  Explicit run{Scene{mesh.nodes, Part{Hex8{}, material, mesh.hexahedra}}};
+  run.until(1e-3);
+}
