@@ -1,5 +1,5 @@
 // The scene of the README: thirty lines from the first include to a picture.
-#include <strike/draw.hpp>
+#include <strike/draw/picture.hpp>
 #include <strike/strike.hpp>
 
 using namespace strike;

@@ -1,7 +1,7 @@
 // A strength law of your own, Voce's saturating hardening: verified at one point, then used in the Taylor bar.
 #include <cmath>
 
-#include <strike/draw.hpp>
+#include <strike/draw/picture.hpp>
 #include <strike/strike.hpp>
 #include <strike/verify/workbench.hpp>
 

@@ -1,8 +1,6 @@
 #include <cmath>
 #include <type_traits>
 
-#include <Eigen/Dense>
-
 #include <strike/scalar/eigen.hpp>
 
 #include "support/catch.hpp"
@@ -13,6 +11,7 @@ namespace {
 
 using Doubles8 = Pack<double, 8>;
 using Floats16 = Pack<float, 16>;
+using Dual2 = Dual<double, 2>;
 using DualPack = Dual<Pack<double, 4>, 2>;
 
 template <class T>
@@ -48,7 +47,8 @@ void check_equal(const Eigen::Matrix<T, Rows, Columns>& a, const Eigen::MatrixXd
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("Eigen's formulas give on every scalar what they give on double", "", Floats16, DualPack) {
+TEMPLATE_TEST_CASE("Eigen's formulas give on every scalar what they give on double", "", Doubles8, Floats16, Dual2,
+                   DualPack) {
   using T = TestType;
   using Matrix3 = Eigen::Matrix<T, 3, 3>;
   using Vector3 = Eigen::Matrix<T, 3, 1>;
@@ -61,9 +61,14 @@ TEMPLATE_TEST_CASE("Eigen's formulas give on every scalar what they give on doub
   check_equal(Matrix3(a * b * 0.5f), a_ * b_ * 0.5);
   check_equal(Matrix3(a * b + b.transpose() * a), a_ * b_ + b_.transpose() * a_);
   check_equal(Vector3(a * v - w), a_ * v_ - w_);
+  check_equal(Vector3(a.transpose() * v), a_.transpose() * v_);
+  check_equal(Vector3(a.inverse() * v), a_.inverse() * v_);
   check_equal(Vector3(v.cross(w)), v_.cross(w_));
   check_equal(Matrix3(v * w.transpose()), v_ * w_.transpose());
   check_equal(Matrix3(a.inverse()), a_.inverse());
+  Matrix3 power = a;
+  power = power * a;  // no alias
+  check_equal(power, a_ * a_);
   check_equal(Matrix3(a.cwiseProduct(b).cwiseAbs()), a_.cwiseProduct(b_).cwiseAbs());
   check_equal(Matrix3(v.asDiagonal() * a), Eigen::Matrix3d(v_.asDiagonal() * a_));
   Matrix3 c = Matrix3::Identity();
@@ -73,6 +78,7 @@ TEMPLATE_TEST_CASE("Eigen's formulas give on every scalar what they give on doub
   check_equal(c, (Eigen::Matrix3d::Identity() + a_ * b_ - 2 * a_) * 0.25);
   const double epsilon = rounding<T>();
   CHECK(number(T(v.dot(w))) == Approx(v_.dot(w_)).epsilon(epsilon));
+  CHECK(number(T(v.transpose() * w)) == Approx(v_.dot(w_)).epsilon(epsilon));
   CHECK(number(T(a.trace())) == Approx(a_.trace()).epsilon(epsilon));
   CHECK(number(T(a.determinant())) == Approx(a_.determinant()).epsilon(epsilon));
   CHECK(number(T(v.norm())) == Approx(v_.norm()).epsilon(epsilon));
@@ -101,6 +107,7 @@ TEMPLATE_TEST_CASE("Products of any size, fixed or not, need no branch on a valu
   check_equal(Eigen::Matrix<T, 1, 12>(u.transpose() * k), u_.transpose().lazyProduct(k_));
   const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> dynamic = k;
   check_equal(Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>(dynamic * dynamic), k_.lazyProduct(k_));
+  check_equal(Eigen::Matrix<T, 3, 1>(k.template topRows<3>() * dynamic.col(0)), k_.topRows<3>().lazyProduct(k_.col(0)));
 }
 
 TEST_CASE("Jacobi's formula: d(det A)/dA = det(A) A^-T, by dual numbers") {

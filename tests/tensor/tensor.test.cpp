@@ -1,7 +1,9 @@
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -11,7 +13,67 @@
 
 #include "support/catch.hpp"
 
+/// Types of the formulas that a user writes in Eigen's numbers.
+template <class V>
+struct FormulasWithout {
+  static const V& a;
+  static const Eigen::Matrix<double, 3, 8>& X;
+  using Sum = decltype(a + a);
+  using Difference = decltype(a - a);
+  using Opposite = decltype(-a);
+  using Multiple = decltype(2.0 * a);
+  using WholeMultiple = decltype(2 * a);
+  using Quotient = decltype(a / 2.0);
+  using Product = decltype(a * a.transpose());
+  using Cross = decltype(a.cross(a));
+  using NodalSum = decltype(X + X);
+  using NodalMultiple = decltype(2.0 * X);
+};
+
 using namespace strike;
+
+template <class V>
+struct FormulasWith {
+  static const V& a;
+  static const Eigen::Matrix<double, 3, 8>& X;
+  using Sum = decltype(a + a);
+  using Difference = decltype(a - a);
+  using Opposite = decltype(-a);
+  using Multiple = decltype(2.0 * a);
+  using WholeMultiple = decltype(2 * a);
+  using Quotient = decltype(a / 2.0);
+  using Product = decltype(a * a.transpose());
+  using Cross = decltype(a.cross(a));
+  using NodalSum = decltype(X + X);
+  using NodalMultiple = decltype(2.0 * X);
+};
+
+namespace {
+
+template <class A, class B>
+inline constexpr bool same_formulas =
+    std::same_as<typename A::Sum, typename B::Sum> && std::same_as<typename A::Difference, typename B::Difference> &&
+    std::same_as<typename A::Opposite, typename B::Opposite> &&
+    std::same_as<typename A::Multiple, typename B::Multiple> &&
+    std::same_as<typename A::WholeMultiple, typename B::WholeMultiple> &&
+    std::same_as<typename A::Quotient, typename B::Quotient> &&
+    std::same_as<typename A::Product, typename B::Product> && std::same_as<typename A::Cross, typename B::Cross> &&
+    std::same_as<typename A::NodalSum, typename B::NodalSum> &&
+    std::same_as<typename A::NodalMultiple, typename B::NodalMultiple>;
+
+}  // namespace
+
+// `using namespace strike` changes no formula of Eigen's.
+static_assert(same_formulas<FormulasWithout<Eigen::Vector3d>, FormulasWith<Eigen::Vector3d>>);
+static_assert(!std::same_as<FormulasWith<Eigen::Vector3d>::Sum, Eigen::Vector3d>);
+// In vectors of packs and dual numbers a sum is a vector.
+static_assert(std::same_as<FormulasWithout<Vector3<Pack<double, 8>>>::Sum, Vector3<Pack<double, 8>>>);
+static_assert(std::same_as<FormulasWithout<Vector3<Dual<double, 2>>>::Multiple, Vector3<Dual<double, 2>>>);
+// Functions of built-in numbers are those of <cmath>.
+static_assert(std::same_as<decltype(min(1.0, 2.0)), double> && std::same_as<decltype(max(1.0F, 2.0F)), float>);
+static_assert(std::same_as<decltype(abs(-1.5)), double> && std::same_as<decltype(abs(-1)), int>);
+static_assert(std::same_as<decltype(sqrt(2.0F)), float> && std::same_as<decltype(pow(2.0, 2)), double>);
+
 using Tensor = SymmetricTensor<double>;
 
 namespace {

@@ -32,13 +32,12 @@ class BucketSearch {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       boxes_[f] = {};
       for (const Index i : faces[f]) boxes_[f].take(x[i]);
-      size += (boxes_[f].upper - boxes_[f].lower).maxCoeff();
+      size += boxes_[f].longest_edge();
       all_faces.take(boxes_[f].lower), all_faces.take(boxes_[f].upper);
       boxes_[f].grow(reach);
     }
     if (nodes.empty() || faces.empty()) return std::numeric_limits<double>::infinity();
-    const double apart =
-        std::max((all_nodes.lower - all_faces.upper).maxCoeff(), (all_faces.lower - all_nodes.upper).maxCoeff());
+    const double apart = all_nodes.gap_to(all_faces);
     if (apart > reach) return apart - reach;
 
     all_faces.grow(reach), all_nodes.grow(reach);
@@ -70,14 +69,27 @@ class BucketSearch {
 
  private:
   struct Box {
-    Eigen::Vector3d lower = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
-    void take(const Eigen::Vector3d& x) { lower = lower.cwiseMin(x), upper = upper.cwiseMax(x); }
-    void grow(double reach) { lower.array() -= reach, upper.array() += reach; }
-    bool holds(const Eigen::Vector3d& x) const {
-      return (x.array() >= lower.array()).all() && (x.array() <= upper.array()).all();
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    Eigen::Vector3d lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};
+
+    void take(const Eigen::Vector3d& x) {
+      for (int c = 0; c < 3; ++c) lower(c) = std::min(lower(c), x(c)), upper(c) = std::max(upper(c), x(c));
     }
-    bool overlaps(const Box& other) const {
-      return (lower.array() <= other.upper.array()).all() && (other.lower.array() <= upper.array()).all();
+    void grow(double reach) {
+      for (int c = 0; c < 3; ++c) lower(c) -= reach, upper(c) += reach;
+    }
+    bool holds(const Eigen::Vector3d& x) const { return reaches(x, x); }
+    bool overlaps(const Box& other) const { return reaches(other.lower, other.upper); }
+    bool reaches(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+      return to(0) >= lower(0) && from(0) <= upper(0) && to(1) >= lower(1) && from(1) <= upper(1) &&
+             to(2) >= lower(2) && from(2) <= upper(2);
+    }
+    double longest_edge() const { return std::max({upper(0) - lower(0), upper(1) - lower(1), upper(2) - lower(2)}); }
+    /// The widest gap between this box and another along an axis; negative where they overlap along all.
+    double gap_to(const Box& other) const {
+      double gap = -infinity;
+      for (int c = 0; c < 3; ++c) gap = std::max({gap, lower(c) - other.upper(c), other.lower(c) - upper(c)});
+      return gap;
     }
   };
   struct Found {

@@ -58,8 +58,8 @@ class Picture {
 
   /// Adds a surface with the positions of the nodes and `values[face.cell]`; without values it is plain grey.
   /// Error: a face whose node or cell is not there.
-  void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions, std::span<const double> values = {},
-           Sides sides = Sides::outer) {
+  [[gnu::cold]] void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions,
+                         std::span<const double> values = {}, Sides sides = Sides::outer) {
     for (const Face& face : faces) {
       if (*std::max_element(face.nodes.begin(), face.nodes.end()) >= positions.size())
         throw Error(detail::joined({"A face of cell ", std::to_string(face.cell), " names a node beyond the ",
@@ -135,12 +135,14 @@ class Picture {
     double y(const Eigen::Vector3d& p) const { return top + scale * (upper[1] - p[1]); }
   };
 
-  Frame bounds() const {
+  [[gnu::cold]] Frame bounds() const {
     Eigen::Vector3d lower = patches_[0].corners[0], upper = lower;
     for (const Patch& patch : patches_)
       for (std::size_t i = 0; i < patch.size; ++i) {
-        lower = lower.cwiseMin(patch.corners[i]);
-        upper = upper.cwiseMax(patch.corners[i]);
+        for (int c = 0; c < 2; ++c) {
+          lower(c) = std::min(lower(c), patch.corners[i](c));
+          upper(c) = std::max(upper(c), patch.corners[i](c));
+        }
       }
     return {lower, upper, options_.size / std::max(upper[0] - lower[0], upper[1] - lower[1])};
   }
@@ -159,8 +161,9 @@ class Picture {
   }
 
   /// Adds the faces reflected by the signs, and the images in the remaining planes of symmetry.
-  void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions, std::span<const double> values,
-           Sides sides, double on_plane, const Eigen::Vector3d& sign, std::size_t first_plane) {
+  [[gnu::cold]] void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions,
+                         std::span<const double> values, Sides sides, double on_plane, const Eigen::Vector3d& sign,
+                         std::size_t first_plane) {
     for (const Face& face : faces) {
       if (is_cut(face, positions, on_plane)) continue;
       Eigen::Vector3d normal = reflected(area_vector(positions, face).normalized(), sign);
@@ -185,7 +188,8 @@ class Picture {
     }
   }
 
-  void add_particles(std::span<const Eigen::Vector3d> positions, const Eigen::Vector3d& sign, std::size_t first_plane) {
+  [[gnu::cold]] void add_particles(std::span<const Eigen::Vector3d> positions, const Eigen::Vector3d& sign,
+                                   std::size_t first_plane) {
     for (const Eigen::Vector3d& x : positions) {
       Patch patch{};
       patch.corners[0] = projected(reflected(x, sign));

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -24,10 +25,8 @@ inline Eigen::Vector3d unit(Axis axis) {
 inline double extent(std::span<const Eigen::Vector3d> nodes) {
   if (nodes.empty()) return 0;
   Eigen::Vector3d lower = nodes[0], upper = nodes[0];
-  for (const Eigen::Vector3d& x : nodes) {
-    lower = lower.cwiseMin(x);
-    upper = upper.cwiseMax(x);
-  }
+  for (const Eigen::Vector3d& x : nodes)
+    for (int c = 0; c < 3; ++c) lower(c) = std::min(lower(c), x(c)), upper(c) = std::max(upper(c), x(c));
   return (upper - lower).norm();
 }
 
@@ -125,8 +124,8 @@ inline auto on_cylinder(const Eigen::Vector3d& centre, const Eigen::Vector3d& ax
 /// Predicate: in the box between two corners, its faces included within `tolerance` times the extent.
 inline auto in_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, double tolerance = 1e-9) {
   return [=](const Eigen::Vector3d& x, double size) {
-    const double slack = tolerance * size;
-    return (x - lower).minCoeff() >= -slack && (upper - x).minCoeff() >= -slack;
+    const auto inside = [&](int c) { return std::min(x(c) - lower(c), upper(c) - x(c)) >= -tolerance * size; };
+    return inside(0) && inside(1) && inside(2);
   };
 }
 

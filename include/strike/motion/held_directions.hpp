@@ -1,13 +1,15 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -22,34 +24,40 @@ class HeldDirections {
  public:
   /// See Nodes::hold; `place` is for the message.
   Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& place, Eigen::Vector3d direction, Held how) {
-    const auto [first, last] = held_.equal_range(i);
-    for (auto h = first; h != last; ++h) {
-      const double overlap = h->second.direction.dot(direction);
-      if (std::abs(overlap) > 1e-6 && (how == Held::moved || h->second.how == Held::moved))
+    if (i >= first_.size()) first_.resize(i + 1, none);
+    std::size_t* last = &first_[i];
+    for (; *last != none; last = &held_[*last].next) {
+      const HeldDirection& h = held_[*last];
+      const double overlap = h.direction.dot(direction);
+      if (std::abs(overlap) > 1e-6 && (how == Held::moved || h.how == Held::moved))
         throw Error(joined({"strike: node ", std::to_string(i), " at ", text(place), " has two conditions along ",
                             text(direction), ", and one prescribes its motion; take it out of the other."}));
-      direction -= overlap * h->second.direction;
+      direction = direction - overlap * h.direction;
     }
     if (direction.norm() < 1e-6) return Eigen::Vector3d::Zero();
     direction.normalize();
-    held_.insert({i, {direction, how}});
+    *last = held_.size();
+    held_.push_back({direction, how, none});
     return direction;
   }
   /// The part of a vector along which node i is free to move.
   template <class Vector>
   Vector free(std::size_t i, Vector a) const {
-    const auto [first, last] = held_.equal_range(i);
-    for (auto h = first; h != last; ++h) a -= h->second.direction.dot(a) * h->second.direction;
+    if (i >= first_.size()) return a;
+    for (std::size_t h = first_[i]; h != none; h = held_[h].next) a -= held_[h].direction.dot(a) * held_[h].direction;
     return a;
   }
 
  private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   struct HeldDirection {
     Eigen::Vector3d direction;
     Held how;
+    std::size_t next;  ///< of the same node
   };
 
-  std::multimap<std::size_t, HeldDirection> held_;
+  std::vector<std::size_t> first_;  ///< by node
+  std::vector<HeldDirection> held_;
 };
 
 }  // namespace detail

@@ -1,12 +1,10 @@
 #pragma once
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -16,6 +14,7 @@
 #include <strike/error.hpp>
 #include <strike/output/archive.hpp>
 #include <strike/output/file.hpp>
+#include <strike/output/wall_clock.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -78,8 +77,8 @@ class CheckpointReader final : public Archive {
  public:
   /// Errors: no such file; not a checkpoint, of another format or machine, damaged, or of another scene.
   CheckpointReader(const std::string& path, std::uint64_t scene)
-      : Archive(true), path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
-    if (!file_) refuse("cannot be opened; give the path of one that a run has written");
+      : Archive(true), path_(path), file_{std::fopen(path.c_str(), "rb")} {
+    if (!file_.stream) refuse("cannot be opened; give the path of one that a run has written");
     CheckpointHead head;
     const CheckpointHead ours;
     if (!get(&head, sizeof head) || std::memcmp(head.magic, ours.magic, sizeof head.magic) != 0)
@@ -92,7 +91,7 @@ class CheckpointReader final : public Archive {
       refuse(
           "is of another scene: its mesh, elements, materials, numbers or observers differ; go on with the program "
           "that wrote it");
-    std::fseek(file_.get(), sizeof head, SEEK_SET);
+    std::fseek(file_.stream, sizeof head, SEEK_SET);
   }
 
   void finish() const {
@@ -108,7 +107,7 @@ class CheckpointReader final : public Archive {
     get(to, count);
     left_ -= count;
   }
-  bool get(void* to, std::size_t count) { return std::fread(to, 1, count, file_.get()) == count; }
+  bool get(void* to, std::size_t count) { return std::fread(to, 1, count, file_.stream) == count; }
 
   /// The tail of a file whose checksum fits.
   CheckpointTail read_tail() {
@@ -117,7 +116,7 @@ class CheckpointReader final : public Archive {
     std::string piece(checkpoint_piece + sizeof tail, '\0');
     std::size_t kept = 0;  // what may be the tail is kept back
     for (std::size_t got = 1; got > 0;) {
-      got = std::fread(piece.data() + kept, 1, piece.size() - kept, file_.get());
+      got = std::fread(piece.data() + kept, 1, piece.size() - kept, file_.stream);
       kept += got;
       if (kept < piece.size()) break;
       hash.add(piece.data(), checkpoint_piece);
@@ -140,7 +139,13 @@ class CheckpointReader final : public Archive {
   }
 
   std::string path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  struct File {
+    std::FILE* stream;
+    ~File() {
+      if (stream) std::fclose(stream);
+    }
+  };
+  File file_;
   std::uint64_t left_ = 0;
 };
 
@@ -230,7 +235,8 @@ class Checkpoint {
     start_clocks(run);
     if constexpr (detail::remembers<Run>()) {
       if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
-      with_all(run, observers, [&](auto&... things) { read_checkpoint(path_, things...); });
+      All<Run, Observers> all{run, companions_, observers};
+      read_checkpoint(path_, all);
       start_clocks(run);
       return true;
     }
@@ -239,41 +245,53 @@ class Checkpoint {
   /// After each step, when the other observers have seen it.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
-    if (run.time() < next_ && Clock::now() < alarm_) return;
-    with_all(run, observers, [&](auto&... things) { write_checkpoint(path_, things...); });
+    if (run.time() < next_ && detail::wall_clock() < alarm_) return;
+    All<Run, Observers> all{run, companions_, observers};
+    write_checkpoint(path_, all);
     start_clocks(run);
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   template <class Run>
   void start_clocks(const Run& run) {
     next_ = run.time() + options_.interval;
-    if (options_.seconds < 1e9)
-      alarm_ =
-          Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.seconds));
+    alarm_ = detail::wall_clock() + options_.seconds;
   }
 
-  /// f(run, companions and those of the observers that remember something).
-  template <class Run, class Observers, class F>
-  void with_all(Run& run, Observers& observers, const F& f) {
-    const auto remembering = [](auto& observer) {
-      if constexpr (requires(detail::Fingerprint archive) { observer.serialize(archive); })
-        return std::tie(observer);
-      else
-        return std::tuple<>();
-    };
-    std::apply(
-        f, std::tuple_cat(std::tie(run), companions_,
-                          std::apply([&](auto&... one) { return std::tuple_cat(remembering(one)...); }, observers)));
-  }
+  /// The run, the companions, and those of the observers that remember something.
+  template <class Run, class Observers>
+  struct All {
+    Run& run;
+    std::tuple<Companions&...>& companions;
+    Observers& observers;
+
+    template <class Archive>
+    static constexpr bool remembers() {
+      return detail::remembers<Run>();
+    }
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(run);
+      [&]<std::size_t... i>(std::index_sequence<i...>) {
+        archive(std::get<i>(companions)...);
+      }(std::index_sequence_for<Companions...>{});
+      [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (keep(archive, std::get<i>(observers)), ...);
+      }(std::make_index_sequence<std::tuple_size_v<Observers>>{});
+    }
+
+   private:
+    template <class Archive, class Observer>
+    static void keep(Archive& archive, Observer& observer) {
+      if constexpr (requires { observer.serialize(archive); }) archive(observer);
+    }
+  };
 
   std::string path_;
   CheckpointOptions options_;
   std::tuple<Companions&...> companions_;
   double next_ = 0;
-  Clock::time_point alarm_ = Clock::time_point::max();
+  double alarm_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace strike

@@ -1,31 +1,43 @@
 #pragma once
+#include <cerrno>
 #include <concepts>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
+#include <cstring>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
-
-#if __has_include(<unistd.h>)
-#include <unistd.h>
-#endif
 
 #include <strike/error.hpp>
 #include <strike/text.hpp>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
+// By POSIX: <filesystem> would cost each program that includes strike a twentieth of its compile time.
 namespace strike::detail {
+
+/// Makes the folder that a file lies in, and those above it, where they are not there.
+[[gnu::cold]] inline void make_folder_of(const std::string& path) {
+  for (std::size_t end = path.find('/', 1); end != std::string::npos; end = path.find('/', end + 1))
+    ::mkdir(path.substr(0, end).c_str(), 0777);  // fails where it is there; fopen says what is wrong
+}
+
+/// Size of a file [bytes]; a path that is no file on a disk has none.
+[[gnu::cold]] inline bool has_size(const std::string& path, std::uint64_t& bytes) {
+  struct ::stat status;
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  bytes = static_cast<std::uint64_t>(status.st_size);
+  return true;
+}
 
 /// A file being written. Its folder is made if it is not there; what was in it stays until the first `write`. What that
 /// was given is with the operating system when it returns, so that it survives the end of the program, however that
 /// comes.
 class OutputFile {
  public:
-  explicit OutputFile(std::string path) : path_(std::move(path)) {
-    std::error_code ignored;  // fopen tells what is wrong
-    if (const auto folder = std::filesystem::path(path_).parent_path(); !folder.empty())
-      std::filesystem::create_directories(folder, ignored);
+  [[gnu::cold]] explicit OutputFile(std::string path) : path_(std::move(path)) {
+    make_folder_of(path_);
     file_ = std::fopen(path_.c_str(), "ab");
     if (!file_)
       throw Error(detail::joined(
@@ -52,10 +64,9 @@ class OutputFile {
   }
 
   /// Goes on behind the first bytes of what was in the file, and cuts the rest off. Error: there are fewer.
-  void go_on_behind(std::uint64_t bytes) {
+  [[gnu::cold]] void go_on_behind(std::uint64_t bytes) {
     cut(bytes);
-    std::error_code failure;
-    if (const auto there = std::filesystem::file_size(path_, failure); failure || there != bytes)
+    if (std::uint64_t there = 0; !has_size(path_, there) || there != bytes)
       throw Error(joined({"File '", path_, "' is not as long as when the run was saved: put it back, or begin anew."}));
     size_ = bytes;
   }
@@ -63,20 +74,16 @@ class OutputFile {
   std::uint64_t size() const { return size_; }
 
   /// Waits until it is on the disk, where the operating system can tell.
-  void sync() {
-#if __has_include(<unistd.h>)
-    ::fsync(::fileno(file_));
-#endif
-  }
+  void sync() { ::fsync(::fileno(file_)); }
 
   const std::string& path() const { return path_; }
 
  private:
   /// If it is longer; what is no file on a disk has no length.
-  void cut(std::uint64_t bytes) {
-    std::error_code none;
-    if (const auto there = std::filesystem::file_size(path_, none); !none && there > bytes)
-      std::filesystem::resize_file(path_, bytes);
+  [[gnu::cold]] void cut(std::uint64_t bytes) {
+    if (std::uint64_t there = 0;
+        has_size(path_, there) && there > bytes && ::truncate(path_.c_str(), static_cast<::off_t>(bytes)) != 0)
+      throw Error(joined({"File '", path_, "' cannot be cut (", std::strerror(errno), "): make it writable."}));
   }
 
   std::string path_;
@@ -93,24 +100,19 @@ void replace_file(const std::string& path, const Write& write) {
     OutputFile file(part);
     write(file);
   }
-  std::error_code failure;
-  std::filesystem::rename(part, path, failure);
-  if (failure)
+  if (std::rename(part.c_str(), path.c_str()) != 0)
     throw Error(detail::joined(
-        {"File '", path, "' cannot be replaced (", failure.message(), "): close or remove what is there."}));
+        {"File '", path, "' cannot be replaced (", std::strerror(errno), "): close or remove what is there."}));
 }
 
-inline void replace_file(const std::string& path, std::string_view content) {
+[[gnu::cold]] inline void replace_file(const std::string& path, std::string_view content) {
   replace_file(path, [&](OutputFile& file) { file.write(content); });
 }
 
-inline bool file_exists(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::exists(path, ignored);
-}
+[[gnu::cold]] inline bool file_exists(const std::string& path) { return ::access(path.c_str(), F_OK) == 0; }
 
 /// Text as a field of a CSV file (RFC 4180): in quotes if it holds a comma, a quote or a line end.
-inline std::string csv_escaped(std::string_view text) {
+[[gnu::cold]] inline std::string csv_escaped(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text) {

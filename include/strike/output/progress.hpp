@@ -1,5 +1,4 @@
 #pragma once
-#include <chrono>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -12,6 +11,8 @@
 #if __has_include(<unistd.h>)
 #include <unistd.h>
 #endif
+
+#include <strike/output/wall_clock.hpp>
 
 namespace strike {
 
@@ -72,7 +73,7 @@ class Progress {
  private:
   static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double seconds() const { return detail::wall_clock() - start_; }
 
   void draw(double time, std::uint64_t step, double dt, double energy_error, double now) {
     const double done = options_.end > 0 ? time / options_.end : 1;
@@ -101,7 +102,7 @@ class Progress {
   }
 
   ProgressOptions options_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double start_ = detail::wall_clock();
   std::uint64_t calls_ = 0, next_look_ = 1, stride_ = 1;
   double last_look_ = 0, last_drawn_ = 0;
   bool drawn_ = false;

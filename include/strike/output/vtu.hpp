@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -49,7 +48,7 @@ class DataArray {
     bytes_.append(bytes, sizeof number);
   }
 
-  void write(Xml& xml, std::string_view name, std::size_t components = 1) const {
+  [[gnu::cold]] void write(Xml& xml, std::string_view name, std::size_t components = 1) const {
     constexpr std::string_view kind = std::is_floating_point_v<Number> ? "Float"
                                       : std::is_signed_v<Number>       ? "Int"
                                                                        : "UInt";
@@ -70,7 +69,7 @@ class DataArray {
   std::string bytes_;
 };
 
-inline void write_field(Xml& xml, const Field& field, std::size_t rows, std::string_view of_what) {
+[[gnu::cold]] inline void write_field(Xml& xml, const Field& field, std::size_t rows, std::string_view of_what) {
   if (field.rows.size() != rows)
     throw Error(joined({"Field '", field.name, "' has ", std::to_string(field.rows.size()), " rows for ",
                         std::to_string(rows), " ", of_what, ": give one row for each."}));
@@ -127,8 +126,8 @@ class VtuCells {
   std::size_t size_ = 0;
 };
 
-inline void write_vtu(const std::string& path, double time, const Rows& positions, const VtuCells& cells,
-                      const std::vector<Field>& node_fields, const std::vector<Field>& cell_fields) {
+[[gnu::cold]] inline void write_vtu(const std::string& path, double time, const Rows& positions, const VtuCells& cells,
+                                    const std::vector<Field>& node_fields, const std::vector<Field>& cell_fields) {
   const std::size_t nodes = positions.size();
   DataArray<double> time_value;
   time_value.push_back(time);
@@ -165,8 +164,9 @@ inline void write_vtu(const std::string& path, double time, const Rows& position
 /// cells of the mesh (hexahedra, then tetrahedra, then quadrilaterals), fields by node and by cell in the same order.
 /// Fields of 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file appears
 /// whole or not at all. Errors: numbers of rows that do not fit; a file that cannot be written.
-inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
-                      const std::vector<Field>& node_fields = {}, const std::vector<Field>& cell_fields = {}) {
+[[gnu::cold]] inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
+                                    const std::vector<Field>& node_fields = {},
+                                    const std::vector<Field>& cell_fields = {}) {
   const std::size_t nodes = mesh.nodes.size();
   if (positions.size() != nodes || positions.components() != 3)
     throw Error(
@@ -216,8 +216,8 @@ class VtuSeries {
   explicit VtuSeries(std::string stem) : stem_(std::move(stem)) {}
 
   /// Adds one time; see `write_vtu`. Fields may be listed in place: `{{"velocity", v}}, {{"plastic strain", eps}}`.
-  void write(double time, const Mesh& mesh, const Rows& positions, const std::vector<Field>& node_fields = {},
-             const std::vector<Field>& cell_fields = {}) {
+  [[gnu::cold]] void write(double time, const Mesh& mesh, const Rows& positions,
+                           const std::vector<Field>& node_fields = {}, const std::vector<Field>& cell_fields = {}) {
     const std::size_t k = times_.size();
     times_.push_back(time);
     write_vtu(stem_ + number(k), time, mesh, positions, node_fields, cell_fields);
@@ -241,14 +241,14 @@ class VtuSeries {
   }
 
  private:
-  static std::string number(std::size_t k) {
+  [[gnu::cold]] static std::string number(std::size_t k) {
     char text[32];
     std::snprintf(text, sizeof text, "_%04zu.vtu", k);
     return text;
   }
 
-  void write_lists() const {
-    const std::string name = std::filesystem::path(stem_).filename().string();  // relative to the lists
+  [[gnu::cold]] void write_lists() const {
+    const std::string name = stem_.substr(stem_.rfind('/') + 1);  // relative to the lists
     detail::Xml list;
     std::string series;
     for (std::size_t k = 0; k < times_.size(); ++k) {

@@ -39,7 +39,7 @@ class Dual {
   }
 
   static constexpr std::size_t variables() { return N; }
-  /// The value alone: for what is told in plain numbers, never for formulas.
+  /// The value alone: for output in plain numbers, never for formulas.
   explicit constexpr operator T() const { return value_; }
   constexpr const T& value() const { return value_; }
   constexpr const T& derivative(std::size_t i) const { return derivatives_[i]; }

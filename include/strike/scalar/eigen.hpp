@@ -4,7 +4,8 @@
 #include <limits>
 #include <type_traits>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>  // a.cross(b), which Eigen/Core declares and does not define
+#include <Eigen/LU>        // A.inverse(), A.determinant(), likewise
 
 #include <strike/scalar/dual.hpp>
 #include <strike/scalar/pack.hpp>

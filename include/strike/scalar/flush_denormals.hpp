@@ -7,8 +7,8 @@
 
 namespace strike {
 
-/// While it lives, its thread takes denormal numbers for zero, as operands and as results. On x86 each of them costs
-/// some hundred cycles: what is nearly at rest would run ten times slower than what moves. Elsewhere it does nothing.
+/// Guard that makes its thread treat denormal numbers as zero, as operands and as results, while it exists. On x86 each
+/// of them costs some hundred cycles: bodies nearly at rest would run ten times slower than others. No effect elsewhere.
 class FlushDenormals {
  public:
 #if defined(__SSE__)

@@ -155,7 +155,7 @@ struct RegisterMath {
     return x > T(0) ? y : (x == T(0) ? all(-infinity) : all(nan));
   }
 
-  /// What pow needs to know of y alone, so that it is computed once for a y that stays.
+  /// Part of pow that depends on y alone: computed once for a constant y.
   struct Exponent {
     using M = decltype(V{} < V{});
     V y;  // within 2^(bias - 23), so that it is finite

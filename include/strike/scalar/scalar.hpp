@@ -10,7 +10,7 @@
 
 namespace strike {
 
-// The functions of a Scalar, for the built-in numbers. Those of Pack and Dual are found by their argument.
+// Functions of a Scalar, for the built-in numbers; the functions of Pack and Dual are found by their argument.
 using std::abs;
 using std::cbrt;
 using std::exp;
@@ -59,7 +59,7 @@ constexpr T reduce_max(T a) {
   return a;
 }
 
-/// What the formulas of strike are written for: a `double`, a `Pack` of `double` or `float`, a `Dual`.
+/// A number of strike's formulas: a `double`, a `Pack` of `double` or `float`, a `Dual`.
 /// Laws: arithmetic is that of the real numbers to rounding; `select(c, a, b)` is `c ? a : b` in each lane, and its
 /// unselected branch may be computed and be anything, NaN included; a `double` literal may stand wherever a number may;
 /// lane i of f(a) is f of lane i, bit for bit in + - * / < min max abs sqrt, else within 4 units in the last place.
@@ -104,15 +104,15 @@ struct ScalarTraits<Pack<T, N>> {
 template <class T>
 using RealOf = typename detail::ScalarTraits<T>::Real;
 
-/// What stands in one lane of T: its built-in number, or the Dual of that.
+/// One lane of T: its built-in number, or the Dual of that.
 template <class T>
 using LaneOf = typename detail::ScalarTraits<T>::Lane;
 
-/// How many independent numbers T carries.
+/// Number of independent numbers in T.
 template <class T>
 inline constexpr std::size_t lanes = detail::ScalarTraits<T>::lanes;
 
-/// Lane i of a scalar, whatever it is.
+/// Lane i of a scalar; of a built-in number, itself.
 template <class T>
 constexpr LaneOf<T> lane(const T& a, std::size_t i) {
   if constexpr (requires { a[i]; })

@@ -1,8 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <iterator>
 #include <numbers>
-#include <ranges>
 #include <string>
 
 #include <strike/material/kinematics.hpp>
@@ -136,9 +137,10 @@ TransverseShear<T> transverse_shear(const Layers& each_layer) {
 }
 
 /// The TransverseShear of a list of layers: transverse_shear(std::vector<ShearLayer<double>>{{3, {7e4, 2.9e4}}, ...}).
-template <std::ranges::range Layers>
+template <class Layers>
+  requires requires(const Layers& layers) { std::begin(layers)->thickness; }
 auto transverse_shear(const Layers& layers) {
-  using T = decltype(std::ranges::begin(layers)->thickness);
+  using T = decltype(std::begin(layers)->thickness);
   return transverse_shear<T>([&](auto f) {
     for (const ShearLayer<T>& layer : layers) f(layer);
   });

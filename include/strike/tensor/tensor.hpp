@@ -38,9 +38,9 @@ Eigen::Matrix<T, 3, n> by_component(F f) {
 }  // namespace detail
 
 // Sums and multiples of vectors go by components, not by Eigen's expressions: the same code at a fraction of what those
-// take to compile, and `auto` names a vector. They are an exact match where Eigen's operators need a conversion. Those
-// of Packs and Duals are found by the namespace of the number. Those of built-in numbers belong to Eigen wherever a
-// user writes them, with `using namespace strike` too; only code inside of strike::detail finds these.
+// take to compile, and `auto` names a vector. These operators are an exact match where Eigen's need a conversion. For
+// Packs and Duals they are found by the namespace of the number. For built-in numbers only code in strike::detail finds
+// them: a user's own formulas, with `using namespace strike` too, remain Eigen's.
 
 template <detail::Composite T, int n>
   requires(n > 0)
