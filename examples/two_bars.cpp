@@ -3,6 +3,8 @@
 //   bash examples/run two_bars
 //   bash examples/run two_bars law=penalty fraction=0.1
 //   bash examples/run two_bars cells=1000
+#include "support/two_bars.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,13 +19,8 @@ using namespace strike;
 
 namespace {
 
-// Metres, seconds, kilograms; so Pa and J.
-constexpr double length = 1, width = 0.01, gap = 1e-5, speed = 10;
-constexpr double youngs_modulus = 200e9, density = 7850;  // without Poisson's effect: plane waves
-const double c = std::sqrt(youngs_modulus / density);
-
-/// The stress of the impact and how long it lasts, of plane waves in elastic bars.
-const double stress = density * c * speed / 2, duration = 2 * length / c;
+using Bars = examples::TwoBars;
+const double stress = Bars::stress, duration = Bars::duration, speed = Bars::speed, area = Bars::width * Bars::width;
 
 /// What is seen of a run.
 struct Record {
@@ -34,35 +31,26 @@ struct Record {
   double begin = 0, end = 0,  // of half the stress
       impulse = 0, largest_error = 0;
 
-  /// The mean velocity along x of the nodes from `from` on.
-  template <class Run>
-  static double velocity(const Run& run, std::size_t from, std::size_t count) {
-    double momentum = 0, mass = 0;
-    for (std::size_t i = from; i < from + count; ++i)
-      momentum += run.nodes().mass(i) * run.nodes().v(i).x(), mass += run.nodes().mass(i);
-    return momentum / mass;
-  }
-
   template <class Run, class Touch>
-  void watch(const Run& run, const Touch& contact, std::size_t nodes) {
+  void watch(const Bars& bars, const Run& run, const Touch& contact) {
     const double force = std::abs(contact.force().x());
-    if (force > stress * width * width / 2) (begin == 0 ? begin : end) = run.time();
+    if (force > stress * area / 2) (begin == 0 ? begin : end) = run.time();
     impulse = std::abs(contact.impulse().x());
     largest_error = std::max(largest_error, std::abs(run.energy().error()));
-    times.push_back(1e3 * run.time()), stresses.push_back(1e-6 * force / (width * width));
-    first.push_back(velocity(run, 0, nodes)), second.push_back(velocity(run, nodes, nodes));
+    times.push_back(1e3 * run.time()), stresses.push_back(1e-6 * force / area);
+    first.push_back(bars.left_velocity(run)), second.push_back(bars.right_velocity(run));
     history.row(times.back(), stresses.back(), first.back(), second.back());
   }
 };
 
 void report(const Record& record, double momentum) {
   Results results;
-  results.add({"mean stress", 1e-6 * record.impulse / (width * width * duration), "MPa", 1e-6 * stress,
-               1e-6 * 0.01 * stress, "rho c v/2"});
+  results.add({"mean stress", 1e-6 * record.impulse / (area * duration), "MPa", 1e-6 * stress, 1e-6 * 0.01 * stress,
+               "rho c v/2"});
   results.add({"duration", 1e3 * (record.end - record.begin), "ms", 1e3 * duration, 1e3 * 0.02 * duration, "2 L/c"});
   results.add({"velocity of bar 1 after", record.first.back(), "m/s", -speed / 2, 0.02 * speed, "exchanged"});
   results.add({"velocity of bar 2 after", record.second.back(), "m/s", speed / 2, 0.02 * speed, "exchanged"});
-  results.add({"momentum", momentum / (density * width * width * length * speed), "1", 0, 1e-12, "balance"});
+  results.add({"momentum", momentum / (Bars::steel.density * area * Bars::length * speed), "1", 0, 1e-12, "balance"});
   results.add({"energy error", record.largest_error, "1", 0, 5e-3, "balance"});
   std::printf("\nTwo equal bars\n\n");
   results.print();
@@ -87,24 +75,13 @@ int main(int count, char** arguments) {
     const double fraction = options.number("fraction", 0.2);
     options.check();
 
-    const Mesh bar = box({.size = {length, width, width}, .cells = {cells, 1, 1}});
-    Mesh bars = bar;
-    append(bars, translated(bar, {length + gap, 0, 0}));
-    const auto end_at = [&](double x) {
-      std::vector<Face> faces = surface(bars);
-      std::erase_if(faces, [&](const Face& face) { return std::abs(centroid(bars.nodes, face).x() - x) > gap / 4; });
-      return Surface{faces};
-    };
-    const auto approach = [](const Eigen::Vector3d& x) {
-      return Eigen::Vector3d(x.x() < length + gap / 2 ? speed / 2 : -speed / 2, 0, 0);
-    };
-    const Elastic steel{.density = density, .youngs_modulus = youngs_modulus, .poissons_ratio = 0};
-
+    const Bars bars(cells, 1e-5);
     const auto meet = [&](const auto& normal_law) {
-      Explicit run{Scene{bars.nodes, Part{Hex8{}, steel, bars.hexahedra}, InitialVelocityField{approach},
-                         Contact{TwoWay{end_at(length), end_at(length + gap)}, normal_law}}};
+      Explicit run{Scene{bars.mesh.nodes, Part{Hex8{}, Bars::steel, bars.mesh.hexahedra},
+                         InitialVelocityField{bars.approach()},
+                         Contact{TwoWay{bars.left_end(), bars.right_end()}, normal_law}}};
       Record record;
-      run.until(1.5 * duration, [&] { record.watch(run, run.template item<2>(), bar.nodes.size()); });
+      run.until(1.5 * duration, [&] { record.watch(bars, run, run.template item<2>()); });
       report(record, run.momentum().x());
     };
     if (law == "kinematic")

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include <strike/cxx20.hpp>
+
 namespace strike::detail {
 
 /// The values in ascending order, each once.

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/cxx20.hpp>
 
 namespace strike::detail {
 

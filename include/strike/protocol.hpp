@@ -3,6 +3,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <strike/cxx20.hpp>
+
 // A protocol lists functions that a model may have. One small type stands for each:
 //
 //   struct ApplyLoads {

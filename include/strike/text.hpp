@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include <strike/cxx20.hpp>
+
 // Text is not worth inlining: that is what `cold` says, and it saves the compiler a second.
 namespace strike::detail {
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <string_view>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// Semantic version of these headers. CMake reads it from this line.

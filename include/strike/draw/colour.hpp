@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// A colour by lightness (0 black ... 1 white), chroma (0 grey) and hue [degrees] in OKLab, a space in which equal

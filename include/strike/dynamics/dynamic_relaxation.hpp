@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 // The damping of a whole run, a policy of Explicit.

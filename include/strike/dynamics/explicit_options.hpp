@@ -1,6 +1,8 @@
 #pragma once
 #include <limits>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// Options of the driver.

@@ -1,6 +1,8 @@
 #pragma once
 #include <utility>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// An observer that ends a run early: `run.until(1.0, StopWhen{[&] { return run.energy().kinetic < 1e-3; }})`. The

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// Number of a node or an element, counted from zero.

@@ -3,6 +3,8 @@
 #include <concepts>
 #include <cstddef>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// How the loops of a run are carried out.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// The energies of a scene at one time. What the outside has put in must be what the rest holds or has dissipated.

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <strike/cxx20.hpp>
+
 #ifdef _OPENMP
 #include <omp.h>
 #endif

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// A step in time as those see it who push or hold nodes: it begins at `time`, `dt` long, after one of `dt_before`.

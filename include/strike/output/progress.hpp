@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include <strike/cxx20.hpp>
+
 #if __has_include(<unistd.h>)
 #include <unistd.h>
 #endif

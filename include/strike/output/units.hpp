@@ -1,6 +1,8 @@
 #pragma once
 #include <string_view>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// Names of the units of a consistent system, for tables, axes and heads of columns; and the size of its three base

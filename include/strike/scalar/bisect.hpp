@@ -1,6 +1,8 @@
 #pragma once
 #include <concepts>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// Interval in which a condition changes: it holds at `lower` and not at `upper`.

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/cxx20.hpp>
 
 #if defined(__SSE__)
 #include <xmmintrin.h>

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <strike/cxx20.hpp>
+
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif

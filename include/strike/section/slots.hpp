@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <strike/cxx20.hpp>
+
 namespace strike::detail {
 
 /// A value of a Slots, told apart by its place.
