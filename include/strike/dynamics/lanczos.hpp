@@ -10,6 +10,7 @@
 
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
+#include <strike/scalar/bisect.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike::detail {
@@ -29,11 +30,10 @@ inline double largest_eigenvalue(const std::vector<double>& diagonal, const std:
       pivot = diagonal[i] - x - (i > 0 ? beside[i - 1] * beside[i - 1] / pivot : 0);
     return pivot < 0;
   };
-  while (upper - lower > 1e-12 * upper) {
-    const double middle = 0.5 * (lower + upper);
-    (is_above(middle) ? upper : lower) = middle;
-  }
-  return upper;
+  const auto is_wide = [](const auto& bracket) { return bracket.upper - bracket.lower > 1e-12 * bracket.upper; };
+  return bisect(
+             Bracket<double>{lower, upper}, [&](double x) { return !is_above(x); }, is_wide)
+      .upper;
 }
 
 /// Number k of a sequence of independent numbers in (0, 1) (Steele, Lea and Flood 2014: splitmix64).
