@@ -30,7 +30,7 @@ int main() try {  // millimetres, milliseconds, kilograms; so kN, GPa and J
   results.add({"foot radius", radius, "mm", 7.081, 0.08, "X3D"});
   results.add({"largest plastic strain", *std::max_element(strain.begin(), strain.end()), "1", 2.95, 0.12, "X3D"});
   results.add({"energy error", run.energy().error(), "1", 0, 1e-3, "balance"});
-  results.print();
+  results.print(), results.write("results.csv");
 } catch (const Error& error) {
   return std::fprintf(stderr, "%s\n", error.what()), 1;
 }
