@@ -263,9 +263,9 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
   /// Half a step's work of the loads.
   void book_loads() {
-    this->each([&](const auto& item) {
-      if constexpr (requires { item.power(this->nodes_); })
-        ledger_.external.book(0.5 * step_.dt * item.power(this->nodes_));
+    this->each([&](auto& item) {
+      if constexpr (detail::answers<detail::item::Power, decltype(item), const Nodes>)
+        ledger_.external.book(0.5 * step_.dt * item.power(std::as_const(this->nodes_)));
     });
   }
 
