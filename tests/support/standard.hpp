@@ -1,6 +1,6 @@
 #pragma once
-// The headers of the standard library and of Eigen that strike includes, precompiled for the tests and for the check that
-// each header of strike includes the others that it needs.
+// The headers of the standard library and of Eigen that strike includes, precompiled for the tests and for the check
+// that each header of strike includes the others that it needs.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
