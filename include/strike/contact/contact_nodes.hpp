@@ -11,6 +11,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -72,8 +73,12 @@ class ContactNodes {
     knows_held_ = true;
     for (std::size_t i = 0; i < number_.size(); ++i) {
       Eigen::Matrix3d free;
-      for (int a = 0; a < 3; ++a) free.col(a) = nodes.free(number_[i], Eigen::Vector3d::Unit(a));
-      if (free.isIdentity(0)) continue;
+      for (std::size_t a = 0; a < 3; ++a) {
+        Eigen::Vector3d unit{0, 0, 0};
+        unit[static_cast<Eigen::Index>(a)] = 1;
+        set_column(free, a, nodes.free(number_[i], unit));
+      }
+      if (std::equal(free.data(), free.data() + 9, Eigen::Matrix3d::Identity().eval().data())) continue;
       held_[i] = static_cast<int>(free_.size());
       free_.push_back(free);
     }
@@ -95,7 +100,7 @@ class ContactNodes {
 
   /// The part of a vector along which node i may move.
   Eigen::Vector3d free(Index i, const Eigen::Vector3d& a) const {
-    return held_[i] < 0 ? a : Eigen::Vector3d(free_[static_cast<std::size_t>(held_[i])] * a);
+    return held_[i] < 0 ? a : times<double>(free_[static_cast<std::size_t>(held_[i])], a);
   }
   /// Inverse effective mass along a unit vector: the change of velocity per unit impulse, 1/m of a free node [1/mass].
   double inverse_mass_along(Index i, const Eigen::Vector3d& a) const {
