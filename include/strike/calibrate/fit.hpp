@@ -19,16 +19,16 @@
 
 #include <unsupported/Eigen/LevenbergMarquardt>
 
-namespace strike {
+namespace strike::calibrate {
 
-/// Range of a parameter. A positive one is searched by its logarithm.
-enum class Range { positive, any };
+/// Sign of a parameter. A positive one is searched by its logarithm.
+enum class Sign { positive, any };
 
 /// A parameter to be found.
 struct Unknown {
   std::string name;
   double start;  ///< the first guess; not 0 for it also is the scale
-  Range range = Range::positive;
+  Sign sign = Sign::positive;
 };
 
 struct FitOptions {
@@ -72,6 +72,7 @@ struct Fit {
 };
 
 namespace detail {
+using namespace strike::detail;
 
 /// The residuals and their slopes as Eigen's Levenberg-Marquardt asks for them, in variables x of order one that are 1
 /// at the start: x - 1 = ln(p/start) of what is positive, else p/start - 1.
@@ -86,10 +87,10 @@ class FitFunctor : public Eigen::DenseFunctor<double> {
       : residuals_(std::move(residuals)), unknowns_(unknowns), x_(Vector::Ones(N)) {
     for (const Unknown& unknown : unknowns_)
       if (!std::isfinite(unknown.start) || unknown.start == 0 ||
-          (unknown.range == Range::positive && unknown.start < 0))
+          (unknown.sign == Sign::positive && unknown.start < 0))
         throw Error(joined({"strike: the fit begins with '", unknown.name, "' = ", text(unknown.start),
                             ", which gives it no scale; begin with a ",
-                            unknown.range == Range::positive ? "positive" : "finite", " value other than 0."}));
+                            unknown.sign == Sign::positive ? "positive" : "finite", " value other than 0."}));
     evaluate();
   }
 
@@ -117,7 +118,7 @@ class FitFunctor : public Eigen::DenseFunctor<double> {
     std::array<Number, N> p;
     for (std::size_t k = 0; k < N; ++k) {
       const Number x = Number::variable(x_[static_cast<Eigen::Index>(k)], k);
-      p[k] = unknowns_[k].start * (unknowns_[k].range == Range::positive ? exp(x - 1.0) : x);
+      p[k] = unknowns_[k].start * (unknowns_[k].sign == Sign::positive ? exp(x - 1.0) : x);
     }
     return p;
   }
@@ -223,7 +224,7 @@ Fit<N> fit(const Residuals& residuals, const Unknown (&unknowns)[N], const FitOp
                  error = std::sqrt(result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
     result.parameters[i] = value;
     result.standard_errors[i] = error;
-    if (unknowns[i].range == Range::positive)
+    if (unknowns[i].sign == Sign::positive)
       result.intervals[i] = {value * std::exp(-t * error / value), value * std::exp(t * error / value)};
     else
       result.intervals[i] = {value - t * error, value + t * error};
@@ -231,4 +232,4 @@ Fit<N> fit(const Residuals& residuals, const Unknown (&unknowns)[N], const FitOp
   return result;
 }
 
-}  // namespace strike
+}  // namespace strike::calibrate

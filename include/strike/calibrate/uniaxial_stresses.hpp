@@ -10,7 +10,7 @@
 #include <strike/text.hpp>
 #include <strike/verify/material_point.hpp>
 
-namespace strike {
+namespace strike::calibrate {
 
 /// How a stress-strain curve was measured.
 struct UniaxialTest {
@@ -25,7 +25,7 @@ struct UniaxialTest {
 template <class M, class T = double>
 std::vector<T> uniaxial_stresses(const M& material, std::span<const double> strains, const UniaxialTest& test,
                                  In<T> number = {}) {
-  MaterialPoint point{material, number};
+  verify::MaterialPoint point{material, number};
   std::vector<T> stresses;
   double before = 0;
   for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -35,11 +35,11 @@ std::vector<T> uniaxial_stresses(const M& material, std::span<const double> stra
           detail::joined({"strike: strain ", std::to_string(i), " of a uniaxial test is ", detail::text(strains[i]),
                           " after ", detail::text(before), "; give strains that go one way from 0."}));
     const auto steps = static_cast<std::size_t>(std::ceil(std::abs(change) / test.largest_increment));
-    point.run(uniaxial_stress({.strain = change, .rate = test.rate, .steps = steps}), [](const auto&) {});
+    point.run(verify::uniaxial_stress({.strain = change, .rate = test.rate, .steps = steps}), [](const auto&) {});
     stresses.push_back(point.now().stress.xx);
     before = strains[i];
   }
   return stresses;
 }
 
-}  // namespace strike
+}  // namespace strike::calibrate

@@ -97,33 +97,33 @@ class Chart {
     top = draw_legend(svg, margin, top) + 14;
     const double bottom = options_.height - 68;
 
-    Range x_range{options_.x, 8}, y_range{options_.y, 6};
+    Extent x_extent{options_.x, 8}, y_extent{options_.y, 6};
     for (const Curve& curve : curves_)
       for (std::size_t i = 0; i < curve.x.size(); ++i)
         if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) {
-          x_range.include(curve.x[i]);
-          y_range.include(curve.y[i]);
+          x_extent.include(curve.x[i]);
+          y_extent.include(curve.y[i]);
         }
-    for (const Reference& reference : references_) y_range.include(reference.y);
-    x_range.close();
-    y_range.close();
-    const auto px = [&](double x) { return left + (options_.width - right - left) * x_range.fraction(x); };
-    const auto py = [&](double y) { return bottom - (bottom - top) * y_range.fraction(y); };
+    for (const Reference& reference : references_) y_extent.include(reference.y);
+    x_extent.close();
+    y_extent.close();
+    const auto px = [&](double x) { return left + (options_.width - right - left) * x_extent.fraction(x); };
+    const auto py = [&](double y) { return bottom - (bottom - top) * y_extent.fraction(y); };
 
-    for (const auto& [at, label] : y_range.marks()) {
+    for (const auto& [at, label] : y_extent.marks()) {
       svg.line(left, py(at), options_.width - right, py(at), "#e6e6e6", 1);
       svg.text(left - 10, py(at) + 4.5, label, {.fill = "#4d4d4d", .anchor = detail::Anchor::end});
     }
-    for (const auto& [at, label] : x_range.marks()) {
+    for (const auto& [at, label] : x_extent.marks()) {
       svg.line(px(at), top, px(at), bottom, "#f0f0f0", 1);
       svg.line(px(at), bottom, px(at), bottom + 5, "#4d4d4d", 1);
       svg.text(px(at), bottom + 21, label, {.fill = "#4d4d4d", .anchor = detail::Anchor::middle});
     }
     svg.line(left, bottom, options_.width - right, bottom, "#4d4d4d", 1.2);
-    svg.text((left + options_.width - right) / 2, bottom + 48, options_.x.label + x_range.unit_label(),
+    svg.text((left + options_.width - right) / 2, bottom + 48, options_.x.label + x_extent.unit_label(),
              {.size = 14, .fill = "#1a1a1a", .anchor = detail::Anchor::middle});
     const double middle = (top + bottom) / 2;
-    svg.text(26, middle, options_.y.label + y_range.unit_label(),
+    svg.text(26, middle, options_.y.label + y_extent.unit_label(),
              {.size = 14, .fill = "#1a1a1a", .anchor = detail::Anchor::middle, .turn = 90});
 
     svg.open("clipPath", {{"id", "plot"}});
@@ -164,7 +164,7 @@ class Chart {
   };
 
   /// The values that an axis spans, and the marks on it.
-  struct Range {
+  struct Extent {
     const ChartAxis& axis;
     double count;  // about how many marks
     double lower = std::numeric_limits<double>::infinity(), upper = -std::numeric_limits<double>::infinity();

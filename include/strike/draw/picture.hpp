@@ -84,7 +84,7 @@ class Picture {
 
   /// The SVG text.
   [[gnu::cold]] std::string svg() const {
-    if (patches_.empty())
+    if (polygons_.empty())
       throw Error(detail::joined({"The picture '", options_.title, "' shows no face: add a surface first."}));
     const bool legend = low_ <= high_;  // some face has a value
     const double low = std::isnan(options_.low) ? low_ : options_.low;
@@ -113,7 +113,7 @@ class Picture {
 
  private:
   /// A face in the picture, or of size 1 a particle.
-  struct Patch {
+  struct Polygon {
     std::array<Eigen::Vector3d, 4> corners;  // projected
     std::size_t size;
     double depth, light, value;
@@ -136,12 +136,12 @@ class Picture {
   };
 
   [[gnu::cold]] Frame bounds() const {
-    Eigen::Vector3d lower = patches_[0].corners[0], upper = lower;
-    for (const Patch& patch : patches_)
-      for (std::size_t i = 0; i < patch.size; ++i) {
+    Eigen::Vector3d lower = polygons_[0].corners[0], upper = lower;
+    for (const Polygon& polygon : polygons_)
+      for (std::size_t i = 0; i < polygon.size; ++i) {
         for (int c = 0; c < 2; ++c) {
-          lower(c) = std::min(lower(c), patch.corners[i](c));
-          upper(c) = std::max(upper(c), patch.corners[i](c));
+          lower(c) = std::min(lower(c), polygon.corners[i](c));
+          upper(c) = std::max(upper(c), polygon.corners[i](c));
         }
       }
     return {lower, upper, options_.size / std::max(upper[0] - lower[0], upper[1] - lower[1])};
@@ -169,17 +169,17 @@ class Picture {
       Eigen::Vector3d normal = reflected(area_vector(positions, face).normalized(), sign);
       if (sides == Sides::both && normal.dot(toward_) < 0) normal = -normal;
       if (!(normal.dot(toward_) > 1e-3)) continue;
-      Patch patch;
-      patch.size = face.is_triangle() ? 3 : 4;
-      for (std::size_t i = 0; i < patch.size; ++i)
-        patch.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
-      patch.depth = projected(reflected(centroid(positions, face), sign))[2];
+      Polygon polygon;
+      polygon.size = face.is_triangle() ? 3 : 4;
+      for (std::size_t i = 0; i < polygon.size; ++i)
+        polygon.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
+      polygon.depth = projected(reflected(centroid(positions, face), sign))[2];
       // Light from behind the eye's left shoulder; never dark, so that colours keep their meaning.
       const Eigen::Vector3d lamp = (toward_ + 0.5 * up_ - 0.5 * right_).normalized();
-      patch.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
-      patch.plain = values.empty();
-      patch.value = patch.plain ? 0 : values[face.cell];
-      patches_.push_back(patch);
+      polygon.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
+      polygon.plain = values.empty();
+      polygon.value = polygon.plain ? 0 : values[face.cell];
+      polygons_.push_back(polygon);
     }
     for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
       Eigen::Vector3d image = sign;
@@ -191,11 +191,11 @@ class Picture {
   [[gnu::cold]] void add_particles(std::span<const Eigen::Vector3d> positions, const Eigen::Vector3d& sign,
                                    std::size_t first_plane) {
     for (const Eigen::Vector3d& x : positions) {
-      Patch patch{};
-      patch.corners[0] = projected(reflected(x, sign));
-      patch.size = 1;
-      patch.depth = patch.corners[0][2];
-      patches_.push_back(patch);
+      Polygon polygon{};
+      polygon.corners[0] = projected(reflected(x, sign));
+      polygon.size = 1;
+      polygon.depth = polygon.corners[0][2];
+      polygons_.push_back(polygon);
     }
     for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
       Eigen::Vector3d image = sign;
@@ -215,33 +215,33 @@ class Picture {
 
   /// Faces from the back to the front.
   [[gnu::cold]] void draw_faces(detail::Svg& svg, const Frame& frame, double low, double high) const {
-    std::vector<const Patch*> order;
-    for (const Patch& patch : patches_) order.push_back(&patch);
-    std::sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
+    std::vector<const Polygon*> order;
+    for (const Polygon& polygon : polygons_) order.push_back(&polygon);
+    std::sort(order.begin(), order.end(), [](const Polygon* a, const Polygon* b) {
       return a->depth != b->depth ? a->depth < b->depth : a < b;  // one order on every machine
     });
     svg.open("g",
              {{"stroke", "#000000"}, {"stroke-opacity", ".28"}, {"stroke-width", ".5"}, {"stroke-linejoin", "round"}});
-    for (const Patch* patch : order) {
-      if (patch->size == 1) {
-        svg.element("circle", {{"cx", std::round(10 * frame.x(patch->corners[0])) / 10},
-                               {"cy", std::round(10 * frame.y(patch->corners[0])) / 10},
+    for (const Polygon* polygon : order) {
+      if (polygon->size == 1) {
+        svg.element("circle", {{"cx", std::round(10 * frame.x(polygon->corners[0])) / 10},
+                               {"cy", std::round(10 * frame.y(polygon->corners[0])) / 10},
                                {"r", 1.6},
                                {"fill", "#ffffff"}});
         continue;
       }
-      const Colour colour = patch->plain ? Colour{0.86, 0.01, 250}
-                                         : options_.colours(high > low ? (patch->value - low) / (high - low) : 0);
+      const Colour colour = polygon->plain ? Colour{0.86, 0.01, 250}
+                                         : options_.colours(high > low ? (polygon->value - low) / (high - low) : 0);
       std::string path;
       double x = 0, y = 0;  // as rounded in the file, so that relative moves do not drift
-      for (std::size_t i = 0; i < patch->size; ++i) {
-        const double next_x = std::round(10 * frame.x(patch->corners[i])) / 10;
-        const double next_y = std::round(10 * frame.y(patch->corners[i])) / 10;
+      for (std::size_t i = 0; i < polygon->size; ++i) {
+        const double next_x = std::round(10 * frame.x(polygon->corners[i])) / 10;
+        const double next_y = std::round(10 * frame.y(polygon->corners[i])) / 10;
         path += detail::joined({i == 0 ? "M" : "l", detail::pixels(next_x - x), " ", detail::pixels(next_y - y)});
         x = next_x;
         y = next_y;
       }
-      svg.element("path", {{"fill", colour.in_light(patch->light).hex()}, {"d", path += 'z'}});
+      svg.element("path", {{"fill", colour.in_light(polygon->light).hex()}, {"d", path += 'z'}});
     }
     svg.close();
   }
@@ -291,7 +291,7 @@ class Picture {
 
   PictureOptions options_;
   Eigen::Vector3d toward_, right_, up_;
-  std::vector<Patch> patches_;
+  std::vector<Polygon> polygons_;
   std::vector<Mark> marks_;
   double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
 };

@@ -16,7 +16,7 @@
 #include <strike/verify/eigenmodes.hpp>
 #include <strike/verify/single_element.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// The largest stable step of an element alone, claimed and exact [time].
 struct StepStudy {
@@ -254,4 +254,4 @@ DistortionSweep distortion_sweep(const E& element, const M& material, const Noda
   return sweep;
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -14,7 +14,7 @@
 #include <strike/scalar/dual.hpp>
 #include <strike/verify/single_element.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// The largest part of a mode of an element.
 enum class ModeKind {
@@ -47,6 +47,7 @@ struct UniformMotions {
 };
 
 namespace detail {
+using namespace strike::detail;
 
 /// Columns of motions v = a + L d - e3 d.k d/2, w = b + W d of nodes at the places d. (A template, so that a program
 /// compiles it if it asks for it.)
@@ -55,7 +56,7 @@ class MotionColumns {
  public:
   using V = Eigen::Matrix<T, 3, 1>;
   using A = Eigen::Matrix<T, 3, 3>;
-  struct Motion {
+  struct Coefficients {
     V a = V::Zero(), b = V::Zero(), e3 = V::Zero();
     A L = A::Zero(), W = A::Zero(), k = A::Zero();
   };
@@ -64,7 +65,7 @@ class MotionColumns {
   MotionColumns(const Eigen::Matrix3Xd& x, double gyration)
       : d_(x.colwise() - x.rowwise().mean()), gyration_(gyration) {}
 
-  Eigen::VectorXd operator()(const Motion& m) const {
+  Eigen::VectorXd operator()(const Coefficients& m) const {
     const Eigen::Index n = d_.cols();
     Eigen::VectorXd column(gyration_ > 0 ? 6 * n : 3 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -257,4 +258,4 @@ double uniform_strain_error(const SingleElement<E, M>& single) {
   return detail::uniform_strain_error<double>(single.vibration().stiffness, uniform.straining, single.now().volume * C);
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -15,7 +15,7 @@
 
 #include <unsupported/Eigen/MatrixFunctions>
 
-namespace strike {
+namespace strike::verify {
 
 /// A layer of an isotropic, linear-elastic solid.
 struct ElasticLayer {
@@ -197,4 +197,4 @@ double rectangle_deflection(double a, double b, W w, int terms = 40) {
   return sum;
 }
 
-}  // namespace strike
+}  // namespace strike::verify

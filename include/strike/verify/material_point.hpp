@@ -20,7 +20,7 @@
 #include <strike/tensor/rotation.hpp>
 #include <strike/verify/path.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// A material point at one time.
 template <class M, class T = double>
@@ -307,4 +307,4 @@ void write(const std::string& path, const std::vector<Record<M>>& history) {
   }
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -9,7 +9,7 @@
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// The components of the Cauchy stress that are prescribed. The others are free: they answer to the motion.
 struct PrescribedStress {
@@ -45,6 +45,7 @@ struct Ramp {
 };
 
 namespace detail {
+using namespace strike::detail;
 
 inline Path ramp(const Ramp& ramp, int row, int column, const PrescribedStress& stress = {}) {
   if (!(ramp.rate > 0) || ramp.strain == 0)
@@ -104,4 +105,4 @@ Path rate_jumps(Loading loading, Ramp each, std::initializer_list<double> rates)
   return path;
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -15,7 +15,7 @@
 #include <strike/output/history.hpp>
 #include <strike/scalar/dual.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// One element after a step [consistent units]. Energies are those since the start; that of the prescribed motion is
 /// the sum of the other three but for the error of the step.
@@ -121,8 +121,8 @@ class SingleElement {
   /// Takes steps of dt with the nodes at the velocities motion(x, t), a column per node, of the middle of each step: so
   /// a rotation is one. Nodes that turn have angular velocities in further columns, else motion.angular_velocity(),
   /// else none. Returns the record of every step, the present one first.
-  template <class Motion>
-  std::vector<Record> run(const Motion& motion, double dt, std::size_t steps) {
+  template <class VelocityField>
+  std::vector<Record> run(const VelocityField& motion, double dt, std::size_t steps) {
     std::vector<Record> history{record_};
     for (std::size_t i = 0; i < steps; ++i) {
       Vectors v = all_velocities(motion, record_.x, record_.time + 0.5 * dt);
@@ -154,8 +154,8 @@ class SingleElement {
  private:
   using State = typename E::template State<M, double>;
 
-  template <class Motion>
-  static Vectors all_velocities(const Motion& motion, const Positions& x, double time) {
+  template <class VelocityField>
+  static Vectors all_velocities(const VelocityField& motion, const Positions& x, double time) {
     const auto given = motion(x, time);
     if constexpr (motions<E> == n || std::decay_t<decltype(given)>::ColsAtCompileTime == motions<E>) {
       return given;
@@ -219,6 +219,7 @@ class SingleElement {
 };
 
 namespace detail {
+using namespace strike::detail;
 
 /// A stress component in a table.
 struct Component {
@@ -338,4 +339,4 @@ Nodal<double, E::nodes> unit_corners() {
     return unit_tetrahedron();
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -23,7 +23,7 @@
 #include <strike/verify/material_point.hpp>
 #include <strike/verify/patch_test.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 // Curves of a material point: any type with these four members serves.
 
@@ -129,7 +129,7 @@ class Workbench {
               double tolerance) {
     attempt(name, [&] {
       const auto history = MaterialPoint{material}.run(path);
-      strike::write(file(name, ".csv"), history);
+      verify::write(file(name, ".csv"), history);
       report(name, compare(history, curve, formula), curve.x_name, curve.y_name, tolerance);
     });
   }
@@ -395,4 +395,4 @@ class Workbench {
   Results results_;
 };
 
-}  // namespace strike
+}  // namespace strike::verify
