@@ -17,6 +17,7 @@
 #include "support/options.hpp"
 
 using namespace strike;
+using namespace strike::calibrate;
 
 namespace {
 
@@ -111,7 +112,7 @@ Fit<3> fitted_rate(const Fit<2>& without, Index cells) {
   return fit(shape_residuals<3>(law, cells),
              {{"yield stress [GPa]", 0.9 * without.parameters[0]},
               {"hardening [GPa]", 0.9 * without.parameters[1]},
-              {"rate factor [ms^0.2]", 0.05, Range::any}},
+              {"rate factor [ms^0.2]", 0.05, Sign::any}},
              {.tolerance = 1e-5, .evaluations = 3});
 }
 

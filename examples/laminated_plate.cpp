@@ -18,6 +18,7 @@
 #include "support/options.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "studies.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 void study_materials(Workbench& bench, double strain, double rate) {
   const LinearEos eos{.density = density, .bulk_modulus = K};

@@ -25,6 +25,8 @@
 
 namespace strike::testing {
 
+using namespace strike::verify;
+
 /// The corners of an undistorted element of n nodes and unit size.
 template <int n>
 Nodal<double, n> reference_corners() {

@@ -14,6 +14,8 @@
 
 namespace strike::testing {
 
+using namespace strike::verify;
+
 /// Distorted quadrilaterals, warped or plane.
 class Quadrilaterals : public Shapes<4> {
  public:

@@ -9,6 +9,7 @@
 #include "conformance/plate.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {

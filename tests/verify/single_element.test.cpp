@@ -9,6 +9,7 @@
 #include "conformance/element.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 const Elastic material{.density = 2, .youngs_modulus = 3, .poissons_ratio = 0.25};
