@@ -118,7 +118,7 @@ void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vecto
   const Mesh left = remaining(mesh, alive);
   std::vector<Eigen::Vector3d> particles;
   for (const Index i : orphan_nodes(left)) particles.push_back(positions[i]);
-  Picture picture{{.title = detail::joined({"Bird on a rigid plate after ", detail::text(time), " ms"}),
+  Picture picture{{.title = "Bird on a rigid plate after " + examples::text(time) + " ms",
                    .quantity = "pressure",
                    .unit = "MPa",
                    .from = {1, -2.5, 0.6},
@@ -217,6 +217,6 @@ int main(int count, char** arguments) {
     if (strength == "low") of(low_strength);
     if (strength == "high") of(high_strength);
     if (strength == "none") of(no_strength);
-    report(record, detail::joined({cells, ", ", form, ", ", strength, " strength"}));
+    report(record, cells + ", " + form + ", " + strength + " strength");
   });
 }

@@ -71,7 +71,7 @@ Answer answer(const Pane& pane, const Shear& shear) {
   return all;
 }
 
-std::string power(int decade) { return detail::joined({"1e", std::to_string(decade)}); }
+std::string power(int decade) { return "1e" + std::to_string(decade); }
 
 }  // namespace
 
@@ -105,7 +105,7 @@ int main(int count, char** arguments) {
                   plain.deflection / w, ours.deflection / w, cured.deflection / w, 1 + shear.error(pane.length), tau,
                   ours.interlaminar / tau, cured.interlaminar / tau);
 
-      const auto named = [&](const char* what) { return detail::joined({what, ", ratio ", power(decade)}); };
+      const auto named = [&](const char* what) { return std::string(what) + ", ratio " + power(decade); };
       const std::string source = "three-dimensional elasticity";
       results.add({named("deflection with EffectiveShear"), cured.deflection, "mm", w, 0.01 * w, source});
       const double predicted = w * (1 + shear.error(pane.length));

@@ -16,6 +16,8 @@
 #include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
+#include "options.hpp"
+
 // A bird that strikes a transparency: what the examples canopy and windshield share. Inches, seconds, pounds of force;
 // so psi and in-lbf.
 namespace examples {
@@ -150,7 +152,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
   Flight flight;
   flight.displacements.resize(target.watched.size()), flight.peaks.resize(target.watched.size());
   std::vector<Column> columns{{"time", "ms"}};
-  for (const auto& [place, node] : target.watched) columns.push_back({detail::joined({"displacement, ", place}), "in"});
+  for (const auto& [place, node] : target.watched) columns.push_back({"displacement, " + place, "in"});
   for (const char* energy : {"kinetic energy", "internal energy", "contact energy", "eroded energy"})
     columns.push_back({energy, "in lbf"});
   columns.push_back({"force on the bird", "lbf"});
@@ -175,7 +177,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
     history.row(row);
   };
   const auto draw = [&](double time) {
-    Picture picture{{.title = detail::joined({title, " at ", detail::text(time), " ms"}),
+    Picture picture{{.title = title + " at " + examples::text(time) + " ms",
                      .quantity = "plastic strain, mean over the thickness",
                      .from = {-1.2, -2, 0.9},
                      .length_unit = "in"}};
@@ -188,7 +190,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
     std::vector<Eigen::Vector3d> particles;
     for (const Index i : orphan_nodes(left)) particles.push_back(x[i]);
     picture.add_particles(particles);
-    picture.write(detail::joined({name, "_", detail::text(time), "ms.svg"}));
+    picture.write(name + "_" + examples::text(time) + "ms.svg");
   };
   std::size_t drawn = 0;
   const std::clock_t begin = std::clock();
@@ -203,27 +205,26 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
         if (drawn < seen.size() && 1e3 * run.time() >= seen[drawn]) draw(seen[drawn++]);
       },
       Every{end / 400, sample},
-      Every{
-          end / 40, [&] {
-            flight.passed += passed(target.mesh, run.positions(), both.bird);
-            const std::vector<bool> alive = bird.alive();
-            Mesh left = mesh;
-            left.tetrahedra = remaining(mesh.tetrahedra, alive);
-            std::vector<Field> fields;
-            const auto add = [&](const std::string& quantity, const std::vector<double>& of_bird,
-                                 const std::vector<double>& of_plates) {
-              std::vector<double> values = remaining(of_bird, alive);  // tetrahedra stand before quadrilaterals
-              values.insert(values.end(), of_plates.begin(), of_plates.end());
-              fields.push_back({quantity, values});
-            };
-            add("plastic strain", bird.field(PlasticStrain{}), panel.field(PlasticStrain{}));
-            const std::vector<double> none(bird.size());
-            for (std::size_t k = 0; k < section.layers() && section.layers() > 1; ++k) {
-              add(detail::joined({"plastic strain, layer ", std::to_string(k)}), none, panel.field(k, PlasticStrain{}));
-              add(detail::joined({"failed, layer ", std::to_string(k)}), none, panel.field(k, Failed{}));
-            }
-            film.write(run.time(), left, run.positions(), {}, fields);
-          }});
+      Every{end / 40, [&] {
+              flight.passed += passed(target.mesh, run.positions(), both.bird);
+              const std::vector<bool> alive = bird.alive();
+              Mesh left = mesh;
+              left.tetrahedra = remaining(mesh.tetrahedra, alive);
+              std::vector<Field> fields;
+              const auto add = [&](const std::string& quantity, const std::vector<double>& of_bird,
+                                   const std::vector<double>& of_plates) {
+                std::vector<double> values = remaining(of_bird, alive);  // tetrahedra stand before quadrilaterals
+                values.insert(values.end(), of_plates.begin(), of_plates.end());
+                fields.push_back({quantity, values});
+              };
+              add("plastic strain", bird.field(PlasticStrain{}), panel.field(PlasticStrain{}));
+              const std::vector<double> none(bird.size());
+              for (std::size_t k = 0; k < section.layers() && section.layers() > 1; ++k) {
+                add("plastic strain, layer " + std::to_string(k), none, panel.field(k, PlasticStrain{}));
+                add("failed, layer " + std::to_string(k), none, panel.field(k, Failed{}));
+              }
+              film.write(run.time(), left, run.positions(), {}, fields);
+            }});
   flight.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   flight.steps = run.steps(), flight.warnings = run.warnings();
   flight.impulse = contact.impulse().norm();
