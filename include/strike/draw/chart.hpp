@@ -55,14 +55,14 @@ class Chart {
   /// A line through the points. Errors: x and y of different length; a value that a logarithmic axis cannot show.
   [[gnu::cold]] void curve(std::string name, std::span<const double> x, std::span<const double> y, Style style = {}) {
     if (x.size() != y.size())
-      throw Error(detail::joined({"Curve '", name, "' has ", std::to_string(x.size()), " x and ",
+      throw Error(detail::joined({"strike: the curve '", name, "' has ", std::to_string(x.size()), " x and ",
                                   std::to_string(y.size()), " y: give as many of both."}));
     for (std::size_t i = 0; i < x.size(); ++i)
       if ((options_.x.scale == Scale::logarithmic && x[i] <= 0) ||
           (options_.y.scale == Scale::logarithmic && y[i] <= 0))
-        throw Error(
-            detail::joined({"Point ", std::to_string(i), " of curve '", name, "' at (", detail::shortest(x[i]), ", ",
-                            detail::shortest(y[i]), ") is not on a logarithmic axis: give positive values."}));
+        throw Error(detail::joined({"strike: point ", std::to_string(i), " of the curve '", name, "' at (",
+                                    detail::shortest(x[i]), ", ", detail::shortest(y[i]),
+                                    ") is not on a logarithmic axis: give positive values."}));
     if (style.colour == Style::next) style.colour = static_cast<int>(curves_.size() % palette.size());
     curves_.push_back({std::move(name), {x.begin(), x.end()}, {y.begin(), y.end()}, style});
   }
@@ -86,7 +86,8 @@ class Chart {
 
   /// The SVG text.
   [[gnu::cold]] std::string svg() const {
-    if (curves_.empty()) throw Error(detail::joined({"The chart '", options_.title, "' has no curve: add one first."}));
+    if (curves_.empty())
+      throw Error(detail::joined({"strike: the Chart '", options_.title, "' has no curve: add one first."}));
     constexpr double left = 84, right = 32, margin = 32;
     detail::Svg svg;
     double top = 36;

@@ -46,7 +46,7 @@ class Picture {
  public:
   [[gnu::cold]] explicit Picture(PictureOptions options) : options_(std::move(options)) {
     if (!(options_.from.norm() > 0) || !(options_.up.norm() > 0))
-      throw Error("A picture needs a direction to the eye and one upward: give vectors that are not zero.");
+      throw Error("strike: a Picture needs a direction to the eye and one upward: give vectors that are not zero.");
     toward_ = options_.from.normalized();
     right_ = cross(options_.up, toward_);
     if (right_.norm() < 1e-6 * options_.up.norm()) {  // the eye is right above
@@ -62,10 +62,10 @@ class Picture {
                          std::span<const double> values = {}, Sides sides = Sides::outer) {
     for (const Face& face : faces) {
       if (*std::max_element(face.nodes.begin(), face.nodes.end()) >= positions.size())
-        throw Error(detail::joined({"A face of cell ", std::to_string(face.cell), " names a node beyond the ",
+        throw Error(detail::joined({"strike: a face of cell ", std::to_string(face.cell), " names a node beyond the ",
                                     std::to_string(positions.size()), " positions: give the positions of all nodes."}));
       if (!values.empty() && face.cell >= values.size())
-        throw Error(detail::joined({"Cell ", std::to_string(face.cell), " has no value among ",
+        throw Error(detail::joined({"strike: cell ", std::to_string(face.cell), " has no value among ",
                                     std::to_string(values.size()), ": give one value for each cell."}));
     }
     for (const double value : values) note(value);
@@ -85,7 +85,7 @@ class Picture {
   /// The SVG text.
   [[gnu::cold]] std::string svg() const {
     if (polygons_.empty())
-      throw Error(detail::joined({"The picture '", options_.title, "' shows no face: add a surface first."}));
+      throw Error(detail::joined({"strike: the Picture '", options_.title, "' shows no face: add a surface first."}));
     const bool legend = low_ <= high_;  // some face has a value
     const double low = std::isnan(options_.low) ? low_ : options_.low;
     const double high = std::isnan(options_.high) ? high_ : options_.high;
@@ -231,7 +231,7 @@ class Picture {
         continue;
       }
       const Colour colour = polygon->plain ? Colour{0.86, 0.01, 250}
-                                         : options_.colours(high > low ? (polygon->value - low) / (high - low) : 0);
+                                           : options_.colours(high > low ? (polygon->value - low) / (high - low) : 0);
       std::string path;
       double x = 0, y = 0;  // as rounded in the file, so that relative moves do not drift
       for (std::size_t i = 0; i < polygon->size; ++i) {

@@ -126,7 +126,7 @@ class AbaqusReader {
         if (!field.empty()) x[i] = source_.number(field, "the coordinate");
       }
       model_->raw.nodes.push_back({number, x, source_.line()});
-      if (set) set->ranges.push_back({number, number, 1, source_.line()});
+      if (set) set->sequences.push_back({number, number, 1, source_.line()});
     }
   }
 
@@ -174,7 +174,7 @@ class AbaqusReader {
         source_.refuse({"element ", std::to_string(element.number), " has too many corners for its type ", type,
                         ": correct the line or the type."});
       raw.elements.push_back(element);
-      if (set) set->ranges.push_back({element.number, element.number, 1, element.line});
+      if (set) set->sequences.push_back({element.number, element.number, 1, element.line});
     }
   }
   void ignore(const std::string& type) {
@@ -209,7 +209,7 @@ class AbaqusReader {
         const FileNumber first = source_.tag(taken(line, ','), "the first of a range"),
                          last = source_.tag(taken(line, ','), "the last of a range");
         const FileNumber step = trimmed(line).empty() ? 1 : source_.tag(taken(line, ','), "the step of a range");
-        if (first <= last) set.ranges.push_back({scope + first, scope + last, step, at});
+        if (first <= last) set.sequences.push_back({scope + first, scope + last, step, at});
         continue;
       }
       while (!line.empty()) {
@@ -221,7 +221,7 @@ class AbaqusReader {
             own_scope = instance->second, field = field.substr(dot + 1);
         if (to_integer(field)) {
           const FileNumber number = own_scope + source_.tag(field, "a number of a set");
-          set.ranges.push_back({number, number, 1, at});
+          set.sequences.push_back({number, number, 1, at});
         } else if (const auto other = places.find(upper(field)); other != places.end() && other->second < self) {
           set.others.push_back(other->second);
         } else {
@@ -300,7 +300,7 @@ class AbaqusReader {
     const auto copy = [&](const std::vector<RawMesh::Set>& sets, std::vector<RawMesh::Set>& all, auto& places) {
       const std::size_t first = all.size();
       for (RawMesh::Set set : sets) {
-        for (RawMesh::Range& range : set.ranges) range.first += scope, range.last += scope;
+        for (RawMesh::Sequence& numbers : set.sequences) numbers.first += scope, numbers.last += scope;
         for (std::size_t& other : set.others) other += first;
         set.name = joined({name, ".", set.name});
         places.try_emplace(upper(set.name), all.size());

@@ -186,7 +186,7 @@ class GmshReader {
     const Group& group = group_of(kind->dimension, entity, physical);
     for (const std::size_t set : group.node_sets)
       for (std::size_t i = 0; i < kind->corners; ++i)
-        raw_.node_sets[set].ranges.push_back({element.corners[i], element.corners[i], 1, element.line});
+        raw_.node_sets[set].sequences.push_back({element.corners[i], element.corners[i], 1, element.line});
     if (kind->dimension < 2) {
       ignored_.add(kind->dimension == 0 ? "Points" : "Lines", element.line);
       return;

@@ -93,14 +93,15 @@ struct RawMesh {
     Shape shape;
     bool marks_solids = false;  ///< a surface cell that is no plate if it lies on solids
   };
-  struct Range {
+  /// The numbers first, first + step, ... up to last.
+  struct Sequence {
     FileNumber first, last, step;
     std::uint32_t line;
   };
   struct Set {
     FileNumber number = 0;
     std::string name = {};
-    std::vector<Range> ranges = {};
+    std::vector<Sequence> sequences = {};
     std::vector<std::size_t> others = {};  ///< sets before it that it holds too
   };
 
@@ -151,7 +152,7 @@ inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numb
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : sets) {
     std::vector<Index> members;
-    for (const auto& [first, last, step, line] : set.ranges) {
+    for (const auto& [first, last, step, line] : set.sequences) {
       if (first == last && numbering.find(first) == nothing && ignored.find(first) == nothing)
         source.refuse(line, {thing, " ", std::to_string(first % RawMesh::scope),
                              " is not in the file: define it or take it off this set."});

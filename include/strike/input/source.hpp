@@ -31,12 +31,14 @@ inline constexpr FileNumber number_limit = FileNumber(1) << 40;
 /// The content of a file. Error: it cannot be read.
 inline std::string content_of_file(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw Error(joined({"File '", path, "' cannot be opened for reading: check its name and folder."}));
+  if (!file)
+    throw Error(joined({"strike: the file '", path, "' cannot be opened for reading: check its name and folder."}));
   std::string content;
   std::array<char, 1 << 16> buffer;
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
     content.append(buffer.data(), count);
-  if (std::ferror(file.get())) throw Error(joined({"File '", path, "' cannot be read: give the path of a file."}));
+  if (std::ferror(file.get()))
+    throw Error(joined({"strike: the file '", path, "' cannot be read: give the path of a file."}));
   return content;
 }
 
@@ -142,7 +144,7 @@ class Source {
 
   /// Throws an Error with the place: what is wrong on that line, and what to do.
   [[noreturn, gnu::cold]] void refuse(std::uint32_t line, std::initializer_list<std::string_view> what) const {
-    throw Error(joined({"File '", name_, "', line ", std::to_string(line), ": ", joined(what)}));
+    throw Error(joined({"strike: the file '", name_, "', line ", std::to_string(line), ": ", joined(what)}));
   }
   [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { refuse(line_, what); }
 

@@ -40,8 +40,8 @@ class OutputFile {
     make_folder_of(path_);
     file_ = std::fopen(path_.c_str(), "ab");
     if (!file_)
-      throw Error(detail::joined(
-          {"File '", path_, "' cannot be opened for writing: choose a path in a folder that you may write to."}));
+      throw Error(detail::joined({"strike: the file '", path_,
+                                  "' cannot be opened for writing: choose a path in a folder that you may write to."}));
   }
   OutputFile(OutputFile&& other) noexcept
       : path_(std::move(other.path_)), file_(std::exchange(other.file_, nullptr)), size_(other.size_) {}
@@ -59,15 +59,16 @@ class OutputFile {
     if (size_ == 0) cut(0);
     size_ += text.size();
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0)
-      throw Error(
-          detail::joined({"File '", path_, "' cannot be written to the end: make room on its disk and run again."}));
+      throw Error(detail::joined(
+          {"strike: the file '", path_, "' cannot be written to the end: make room on its disk and run again."}));
   }
 
   /// Goes on behind the first bytes of what was in the file, and cuts the rest off. Error: there are fewer.
   [[gnu::cold]] void go_on_behind(std::uint64_t bytes) {
     cut(bytes);
     if (std::uint64_t there = 0; !has_size(path_, there) || there != bytes)
-      throw Error(joined({"File '", path_, "' is not as long as when the run was saved: put it back, or begin anew."}));
+      throw Error(joined(
+          {"strike: the file '", path_, "' is not as long as when the run was saved: put it back, or begin anew."}));
     size_ = bytes;
   }
   /// How much has been written, in bytes.
@@ -83,7 +84,8 @@ class OutputFile {
   [[gnu::cold]] void cut(std::uint64_t bytes) {
     if (std::uint64_t there = 0;
         has_size(path_, there) && there > bytes && ::truncate(path_.c_str(), static_cast<::off_t>(bytes)) != 0)
-      throw Error(joined({"File '", path_, "' cannot be cut (", std::strerror(errno), "): make it writable."}));
+      throw Error(
+          joined({"strike: the file '", path_, "' cannot be cut (", std::strerror(errno), "): make it writable."}));
   }
 
   std::string path_;
@@ -101,8 +103,8 @@ void replace_file(const std::string& path, const Write& write) {
     write(file);
   }
   if (std::rename(part.c_str(), path.c_str()) != 0)
-    throw Error(detail::joined(
-        {"File '", path, "' cannot be replaced (", std::strerror(errno), "): close or remove what is there."}));
+    throw Error(detail::joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
+                                "): close or remove what is there."}));
 }
 
 [[gnu::cold]] inline void replace_file(const std::string& path, std::string_view content) {

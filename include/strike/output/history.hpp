@@ -27,7 +27,7 @@ class History {
  public:
   History(std::string path, const std::vector<Column>& columns) : columns_(columns.size()), file_(std::move(path)) {
     if (columns.empty())
-      throw Error(detail::joined({"History '", file_.path(), "' has no columns: name at least one."}));
+      throw Error(detail::joined({"strike: the History '", file_.path(), "' has no columns: name at least one."}));
     for (const Column& column : columns) {
       if (!line_.empty()) line_ += ',';
       line_ += detail::csv_escaped(column.unit.empty() ? column.name
@@ -38,9 +38,9 @@ class History {
 
   void row(std::span<const double> values) {
     if (values.size() != columns_)
-      throw Error(detail::joined({"History '", file_.path(), "' has ", std::to_string(columns_), " columns, but row ",
-                                  std::to_string(rows_), " brings ", std::to_string(values.size()),
-                                  " values: give one for each column."}));
+      throw Error(detail::joined({"strike: the History '", file_.path(), "' has ", std::to_string(columns_),
+                                  " columns, but row ", std::to_string(rows_), " brings ",
+                                  std::to_string(values.size()), " values: give one for each column."}));
     if (rows_ > 0) line_.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) line_ += ',';

@@ -98,8 +98,8 @@ class MaterialPoint {
   void run(const Path& path, Observer&& observe) {
     for (const Segment& segment : path.segments) {
       if (!(segment.duration > 0) || segment.steps == 0)
-        throw Error(detail::joined({"A segment of a path has the duration ", detail::text(segment.duration), " and ",
-                                    std::to_string(segment.steps), " steps: give more than 0 of both."}));
+        throw Error(detail::joined({"strike: a Segment of a path has the duration ", detail::text(segment.duration),
+                                    " and ", std::to_string(segment.steps), " steps: give more than 0 of both."}));
       const Tensor initial_stress = now_.stress;
       const double dt = segment.duration / static_cast<double>(segment.steps);
       const Matrix3<T> L = segment.velocity_gradient.template cast<T>();
@@ -165,7 +165,8 @@ class MaterialPoint {
     Record<M, T> next = answer(D, w, dt);
     if (std::any_of(target.begin(), target.end(), is_given)) next = reach(target, std::move(next), w, dt);
     if (!(next.relative_volume() > 0))
-      throw Error(detail::joined({"Material point at t = ", detail::text(next.time), ": the relative volume becomes ",
+      throw Error(detail::joined({"strike: the material point at t = ", detail::text(next.time),
+                                  ": the relative volume becomes ",
                                   detail::text(static_cast<double>(next.relative_volume())), "; take smaller steps."}));
     return now_ = std::move(next);
   }
@@ -244,11 +245,11 @@ class MaterialPoint {
     int worst = 0;
     r.cwiseAbs().maxCoeff(&worst);
     const auto c = static_cast<std::size_t>(worst);
-    throw Error(
-        detail::joined({"Material point at t = ", detail::text(nearest.time), ": the prescribed stress ", name[c],
-                        " = ", detail::text(static_cast<double>(target[c])), " is beyond the material, which gives ",
-                        detail::text(static_cast<double>(nearest.stress.*component[c])),
-                        "; lower it or prescribe the strain instead."}));
+    throw Error(detail::joined({"strike: the material point at t = ", detail::text(nearest.time),
+                                ": the prescribed stress ", name[c], " = ",
+                                detail::text(static_cast<double>(target[c])), " is beyond the material, which gives ",
+                                detail::text(static_cast<double>(nearest.stress.*component[c])),
+                                "; lower it or prescribe the strain instead."}));
   }
 
   M material_;

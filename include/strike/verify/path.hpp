@@ -49,7 +49,7 @@ using namespace strike::detail;
 
 inline Path ramp(const Ramp& ramp, int row, int column, const PrescribedStress& stress = {}) {
   if (!(ramp.rate > 0) || ramp.strain == 0)
-    throw Error(joined({"A ramp to the strain ", text(ramp.strain), " at the rate ", text(ramp.rate),
+    throw Error(joined({"strike: a Ramp to the strain ", text(ramp.strain), " at the rate ", text(ramp.rate),
                         " has no duration: give a strain other than 0 and a rate above 0."}));
   Segment segment{.duration = std::abs(ramp.strain) / ramp.rate, .steps = ramp.steps, .stress = stress};
   segment.velocity_gradient(row, column) = std::copysign(ramp.rate, ramp.strain);

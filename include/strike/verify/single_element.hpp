@@ -94,7 +94,7 @@ class SingleElement {
     record_.x = X;
     weigh(element_.begin(state_, material_, X));
     if (!(mass_ > 0))
-      throw Error("The single element has no positive mass; its corners are in the wrong order or coincide.");
+      throw Error("strike: the SingleElement has no positive mass: give its corners in the right order, none twice.");
     const auto response = element_.advance(state_, material_, X, Vectors::Zero().eval(), 0.0);
     record_.stress = mean_stress();
     record_.force = response.force;

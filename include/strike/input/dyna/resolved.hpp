@@ -69,10 +69,11 @@ inline std::vector<NamedSet> part_sets(Draft& draft, const Source& source) {
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : draft.part_sets) {
     NamedSet named{set.number, std::move(set.name), {}};
-    for (const RawMesh::Range& range : set.ranges) {
-      const auto part = draft.parts.find(range.first);
+    for (const RawMesh::Sequence& numbers : set.sequences) {
+      const auto part = draft.parts.find(numbers.first);
       if (part == draft.parts.end())
-        source.refuse(range.line, {"part ", std::to_string(range.first), " is not in the file: take it off the set."});
+        source.refuse(numbers.line,
+                      {"part ", std::to_string(numbers.first), " is not in the file: take it off the set."});
       named.members.push_back(part->second);
     }
     all.push_back(std::move(named));
