@@ -18,7 +18,7 @@ using namespace strike;
 
 namespace {
 
-// The canopy begins at fuselage station 88; the bird's centre strikes at 112, two feet aft of that, as in the paper.
+// The canopy starts at fuselage station 88; the bird's centre strikes at 112, two feet aft of that, as in the paper.
 // Its shape is an assumption, for the paper gives none: about as long, wide and high as that of an F-16.
 constexpr double first_station = 88, struck_station = 112, thickness = 0.5;
 constexpr CanopyShape shape{.length = 80,

@@ -40,7 +40,7 @@ Eigen::Vector3d blast(const Eigen::Vector3d& x) {
   return {-v * std::sin(angle), 0, -v * std::cos(angle)};
 }
 
-/// What is left of a run.
+/// Records of a run.
 struct Record {
   const Mesh& panel;
   History history{"history.csv",
@@ -95,7 +95,7 @@ struct Record {
 
 template <class Section>
 void blow(const Section& section, Record& record) {
-  // Half of the panel. Its straight sides are clamped, its curved ends hinged.
+  // Half of the panel. Its straight sides are clamped, its curved ends pinned.
   const Mesh& panel = record.panel;
   const std::vector<Index> side = nodes_where(panel.nodes, [](const auto& x) { return angle_of(x) > arc - 1e-6; });
   Explicit run{Scene{panel.nodes,                                                        //
@@ -127,7 +127,7 @@ void blow(const Section& section, Record& record) {
   record.plastic_strain = part.field([](const auto& point) { return point.equivalent_plastic_strain; });
 }
 
-/// What an independent program finds with the same element and mesh (docs/verification.md), in inches.
+/// Results of an independent program with the same element and mesh (docs/verification.md) [in].
 struct Reference {
   unsigned mesh;
   const char* rule;

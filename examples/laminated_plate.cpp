@@ -32,13 +32,13 @@ struct Pane {
   }
   double p() const { return std::numbers::pi / length; }
 
-  // As a section of a plate ...
+  // Section of a plate.
   template <class Shear>
   auto section(const Shear& shear) const {
     return Layered{Layer{PlaneStress{glass()}, face}, Layer{PlaneStress{interlayer()}, core},
                    Layer{PlaneStress{glass()}, face}, shear};
   }
-  // ... and without any assumption.
+  // Three-dimensional elasticity without any assumption.
   Laminate exact() const {
     const auto layer = [](const Elastic& e, double h) {
       return ElasticLayer{h, e.youngs_modulus, e.poissons_ratio, e.density};
@@ -47,7 +47,7 @@ struct Pane {
   }
 };
 
-/// What a section says of the strip under the pressure sin px.
+/// Prediction of a section for the strip under the pressure sin px.
 struct Answer {
   double K, deflection, interlaminar;
   std::vector<double> z, tau;

@@ -1,6 +1,6 @@
 // A bird of 4 lb at 400 knots strikes a curved laminate at 45 degrees: acrylic, interlayer, polycarbonate, interlayer
 // and polycarbonate in one layer of plates. The same strike on the section with the plain shear factor of 5/6 and on
-// one monolithic plate of the same mass shows what the layers are worth.
+// one monolithic plate of the same mass shows the effect of the layers.
 //
 //   bash examples/run windshield
 //   bash examples/run windshield bird=high

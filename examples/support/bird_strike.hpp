@@ -18,7 +18,7 @@
 
 #include "options.hpp"
 
-// A bird that strikes a transparency: what the examples canopy and windshield share. Inches, seconds, pounds of force;
+// A bird that strikes a transparency, for the examples canopy and windshield. Inches, seconds, pounds of force;
 // so psi and in-lbf.
 namespace examples {
 
@@ -33,7 +33,7 @@ struct Bird {
       .density = 950 * per_kg_m3, .C1 = 2.06 * psi_per_GPa, .C2 = 6.19 * psi_per_GPa, .C3 = 10.3 * psi_per_GPa};
   static constexpr strike::VonMises flesh{.shear_modulus = 2.06e-3 * psi_per_GPa, .yield_stress = 2e-5 * psi_per_GPa};
 
-  /// Fails as soon as it yields: what is left strikes node by node.
+  /// Fails as soon as it yields; the nodes of its deleted elements strike one by one.
   static auto low_strength() { return strike::Solid{water, flesh, strike::UltimateStress{0.999 * flesh.yield_stress}}; }
   /// Flows up to a plastic strain of 5.
   static auto high_strength() { return strike::Solid{water, flesh, strike::FailureStrain{5}}; }
@@ -46,7 +46,7 @@ struct Bird {
   }
 };
 
-/// What is struck: plates, which of their nodes are clamped, their thickness, and nodes whose motion is told.
+/// The target: plates, their clamped nodes, their thickness, and nodes whose motion is recorded.
 struct Transparency {
   strike::Mesh mesh;
   std::vector<strike::Index> edge;
@@ -70,7 +70,7 @@ struct Encounter {
   }
 
  private:
-  /// How far along x a point may go until it is half a thickness and a bit from a triangle of the cell.
+  /// Distance along x from a point to a triangle of the cell, less half a thickness.
   static double way_to(const Transparency& target, const std::array<strike::Index, 4>& cell, const Eigen::Vector3d& x) {
     double way = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
@@ -91,7 +91,7 @@ struct Encounter {
   }
 };
 
-/// What a strike leaves behind.
+/// Records of a strike.
 struct Flight {
   std::vector<double> times;                       ///< [ms]
   std::vector<std::vector<double>> displacements;  ///< of the watched nodes, by node and time [in]
@@ -105,7 +105,7 @@ struct Flight {
   std::vector<std::string> warnings;
 };
 
-/// What every strike must keep to.
+/// Checks of every strike.
 inline void add_checks(strike::Results& results, const Flight& flight, const std::string& of = {}) {
   results.add({of + "energy error", flight.energy_error, "1", 0, 0.02, "balance"});
   results.add({of + "impulse on the bird against its momentum", flight.impulse_error, "1", 0, 1e-9, "balance"});
@@ -113,7 +113,7 @@ inline void add_checks(strike::Results& results, const Flight& flight, const std
   results.add({of + "steps", static_cast<double>(flight.steps), "1"});
 }
 
-/// How many of some nodes are behind the plate whose middle is nearest to them, but not past its edges.
+/// Number of nodes behind the plate whose middle is nearest to them and within its edges.
 inline std::size_t passed(const strike::Mesh& plates, const std::vector<Eigen::Vector3d>& x,
                           const std::vector<strike::Index>& nodes) {
   std::size_t behind = 0;

@@ -12,7 +12,7 @@
 namespace strike::calibrate {
 
 /// The shape of a round bar along z: the rings of nodes of its mantle, from its foot on, by their mean height and
-/// radius. T is a double, or what carries derivatives.
+/// radius. T: double or Dual.
 template <class T>
 struct BarProfile {
   struct Ring {

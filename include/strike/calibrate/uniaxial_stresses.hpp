@@ -12,16 +12,16 @@
 
 namespace strike::calibrate {
 
-/// How a stress-strain curve was measured.
+/// Conditions of a measured stress-strain curve.
 struct UniaxialTest {
   double rate = 1;                  ///< of strain [1/time]
   double largest_increment = 1e-3;  ///< of strain in a step of the material point
 };
 
-/// The Cauchy stresses [stress] of a material in tension, or compression, under no stress across, at some logarithmic
-/// strains that follow each other: what a measured curve is compared with.
+/// The Cauchy stresses [stress] of a material in tension, or compression, without stress across, at successive
+/// logarithmic strains: to compare with a measured curve.
 ///   const auto stress = uniaxial_stresses(copper, strains, {.rate = 1e-3}, in<Dual<double, 2>>);
-/// Errors: strains that do not go one way from 0.
+/// Errors: strains that do not move away from 0 in one direction.
 template <class M, class T = double>
 std::vector<T> uniaxial_stresses(const M& material, std::span<const double> strains, const UniaxialTest& test,
                                  In<T> number = {}) {

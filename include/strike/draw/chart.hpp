@@ -30,7 +30,7 @@ struct ChartAxis {
 enum class Line { none, solid, dashed, dotted };
 enum class Marker { none, circle, square, triangle, diamond, cross };
 
-/// How a curve looks; by default the next colour of the palette.
+/// Style of a curve; by default in the next colour of the palette.
 struct Style {
   static constexpr int next = -1;
   Line line = Line::solid;
@@ -39,7 +39,7 @@ struct Style {
   double width = 2;   ///< [px]
 };
 
-/// What a chart shows.
+/// Options of a chart.
 struct ChartOptions {
   std::string title = {}, caption = {};
   ChartAxis x = {}, y = {};
@@ -47,7 +47,7 @@ struct ChartOptions {
 };
 
 /// Curves and points over two axes, as SVG: `chart.curve("length", t, L); chart.points("X3D", {80}, {21.47});`
-/// Colours are those of Okabe and Ito (2008, "Color Universal Design"), which colour-blind eyes can tell apart.
+/// Colours are those of Okabe and Ito (2008, "Color Universal Design"), distinct to colour-blind eyes.
 class Chart {
  public:
   explicit Chart(ChartOptions options) : options_(std::move(options)) {}

@@ -20,15 +20,15 @@
 
 namespace strike {
 
-/// Which side of a face is drawn.
+/// Sides of a face that are drawn.
 enum class Sides { outer, both };
 
-/// What a picture shows and how.
+/// Options of a picture.
 struct PictureOptions {
   std::string title = {}, caption = {};
   std::string quantity = {}, unit = {};  ///< head of the legend
-  Eigen::Vector3d from = {2, -3, 1};     ///< direction in which the eye is, infinitely far
-  Eigen::Vector3d up = {0, 0, 1};        ///< what is up in the picture
+  Eigen::Vector3d from = {2, -3, 1};     ///< direction to the eye, which is infinitely far
+  Eigen::Vector3d up = {0, 0, 1};        ///< upward direction of the picture
   /// Planes x = 0, ... in which the model is mirrored; a plane of symmetry that is left out shows as a section.
   std::vector<Axis> mirror = {};
   double low = std::numeric_limits<double>::quiet_NaN();   ///< value at the lower end of the legend; NaN: the smallest
@@ -73,7 +73,7 @@ class Picture {
     add(faces, positions, values, sides, on_plane, {1, 1, 1}, 0);
   }
 
-  /// Adds nodes that no element holds any more as small circles.
+  /// Adds nodes whose elements are all deleted, as small circles.
   void add_particles(std::span<const Eigen::Vector3d> positions) { add_particles(positions, {1, 1, 1}, 0); }
 
   /// Marks a place with a dot, on top of everything, and a label beside it.
@@ -112,7 +112,7 @@ class Picture {
   }
 
  private:
-  /// A face in the picture, or of size 1 a particle.
+  /// A face in the picture; a particle if its size is 1.
   struct Polygon {
     std::array<Eigen::Vector3d, 4> corners;  // projected
     std::size_t size;
@@ -123,7 +123,7 @@ class Picture {
     Eigen::Vector3d place;
     std::string label;
   };
-  /// Where the picture of the model lies on the sheet.
+  /// Place and scale of the model on the sheet.
   struct Frame {
     Eigen::Vector3d lower, upper;  // ends of the projected model
     double scale;                  // [px / length]
@@ -174,7 +174,7 @@ class Picture {
       for (std::size_t i = 0; i < polygon.size; ++i)
         polygon.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
       polygon.depth = projected(reflected(centroid(positions, face), sign))[2];
-      // Light from behind the eye's left shoulder; never dark, so that colours keep their meaning.
+      // Light from the upper left behind the eye; never dark, so that colours can be compared with the legend.
       const Eigen::Vector3d lamp = (toward_ + 0.5 * up_ - 0.5 * right_).normalized();
       polygon.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
       polygon.plain = values.empty();
@@ -204,7 +204,7 @@ class Picture {
     }
   }
 
-  /// Lies in a plane of symmetry, so that it is inside the whole body.
+  /// True of a face in a plane of symmetry, which is inside the whole body.
   bool is_cut(const Face& face, std::span<const Eigen::Vector3d> positions, double on_plane) const {
     return std::any_of(options_.mirror.begin(), options_.mirror.end(), [&](Axis axis) {
       return std::all_of(face.nodes.begin(), face.nodes.end(), [&](Index node) {

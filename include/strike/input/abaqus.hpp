@@ -37,7 +37,7 @@ class AbaqusReader {
   using Shape = RawMesh::Shape;
   using Parameters = std::map<std::string, std::string, std::less<>>;
 
-  /// A part, or all that is in no part; with its sets by name.
+  /// A part, or everything outside of parts, with its sets by name.
   struct Model {
     RawMesh raw = {};
     std::map<std::string, std::size_t> node_sets = {}, element_sets = {};
@@ -245,7 +245,7 @@ class AbaqusReader {
     model_ = &part->second;
   }
 
-  /// A copy of a part, moved and then turned.
+  /// A copy of a part, translated and then rotated.
   void instance(const std::string& name, const std::string& part_name) {
     const auto part = parts_.find(upper(part_name));
     if (part == parts_.end())
@@ -325,8 +325,9 @@ class AbaqusReader {
 /// The mesh of an Abaqus input file (.inp), flat or of parts and instances. Instances are parts; `*ELSET`s serve as
 /// parts too; sets within a part are called "instance.set". C3D8, C3D4, S4, S3 and their kinds (C3D8R, ...) are read,
 /// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; elements of other types are ignored with a
-/// warning, keywords that say no mesh skipped with one. `name` stands in messages. Errors: `*INCLUDE`; solids or shells
-/// of higher order, wedges; a number that is none, or is there twice; a node, set, part or instance that is not there.
+/// warning, keywords that do not describe a mesh are skipped with a warning. `name` is the file in messages. Errors:
+/// `*INCLUDE`; solids or shells of higher order, wedges; text in the place of a number; a number given twice; a node,
+/// set, part or instance that is not there.
 inline Deck read_abaqus(std::string_view text, std::string name) {
   return detail::AbaqusReader(detail::Source(text, std::move(name))).read();
 }

@@ -38,8 +38,8 @@ struct NamedSet {
   std::vector<Index> members = {};  ///< in ascending order
 };
 
-/// What a file says of a mesh, in its own units. Cells are counted hexahedra first, then tetrahedra, then
-/// quadrilaterals. Parts and sets are asked by name, or by their number in the file.
+/// The mesh of a file, in the file's units. Cells are numbered hexahedra first, then tetrahedra, then quadrilaterals.
+/// Parts and sets are found by name, or by their number in the file.
 struct Deck {
   std::string title = {};
   Mesh mesh = {};
@@ -48,7 +48,7 @@ struct Deck {
   std::vector<NamedSet> parts = {};           ///< of cells
   std::vector<NamedSet> cell_sets = {};
   std::vector<NamedSet> node_sets = {};
-  std::vector<std::string> warnings = {};  ///< what was skipped, dropped or ignored: a sentence each
+  std::vector<std::string> warnings = {};  ///< a sentence for each kind of input skipped, dropped or ignored
 
   /// The cells of a part or, if no part has that name, of a set of cells. Error: neither is there.
   PartCells part(std::string_view name) const {
@@ -101,7 +101,7 @@ struct Deck {
                                   "': give the one that tells them apart."}));
     return &*set;
   }
-  /// Advice for who gives a name or a number that is not there.
+  /// Advice in place of a name or a number that is not there.
   static std::string choice_of(const std::vector<NamedSet>& sets) {
     if (sets.empty()) return "the deck has none.";
     std::string all = sets.size() == 1 ? "give " : "give one of ";

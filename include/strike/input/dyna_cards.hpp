@@ -108,7 +108,7 @@ struct SupportCard {
   }
 };
 
-/// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, v.nodes}`; with a spin ask `v.at(x)` of each node.
+/// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, v.nodes}`; with a spin, `v.at(x)` is the velocity of a node.
 struct VelocityCard {
   std::vector<Index> nodes;
   Eigen::Vector3d velocity;
@@ -125,7 +125,7 @@ struct WallCard {
   double friction;
 };
 
-/// One side of a contact: the parts or the nodes that it names. Neither: all parts.
+/// One side of a contact: the parts or the nodes that it names. Without either: all parts.
 struct ContactSide {
   std::vector<FileNumber> parts = {};
   std::vector<Index> nodes = {};
@@ -138,7 +138,7 @@ struct ContactCard {
   double static_friction = 0, dynamic_friction = 0, decay = 0;  ///< FS, FD, DC: FD + (FS - FD) exp(-DC v)
 };
 
-/// What an LS-DYNA deck says of a mesh, and of the rest. The cards of a part are asked by its name or number.
+/// An LS-DYNA deck: its mesh and its cards. The cards of a part are found by its name or number.
 struct DynaDeck : Deck {
   std::vector<PartCard> part_cards = {};
   std::vector<MaterialCard> materials = {};
@@ -154,7 +154,7 @@ struct DynaDeck : Deck {
   double step_factor = 0;                           ///< TSSFAC, 0 if there is none
   std::array<double, 2> bulk_viscosity{1.5, 0.06};  ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
 
-  /// The material of a part, as what it is there. Error: the part has none, or one of another kind.
+  /// The material of a part, by the type of its card. Error: the part has none, or one of another type.
   template <class M, class Part>
   const M& material(const Part& part) const {
     const MaterialCard& card = material_card(part);

@@ -21,7 +21,7 @@ namespace strike {
 
 namespace detail {
 
-// A checkpoint file: Head, what the things remember, Tail. Integers and numbers as the machine has them.
+// A checkpoint file: head, states of the objects, tail, in the machine's formats of numbers.
 struct CheckpointHead {
   char magic[8] = {'s', 't', 'r', 'i', 'k', 'e', 'c', 'p'};
   std::uint32_t version = 1;
@@ -29,8 +29,8 @@ struct CheckpointHead {
 };
 struct CheckpointTail {
   std::uint64_t scene = 0;     ///< Fingerprint
-  std::uint64_t size = 0;      ///< of what is between, in bytes
-  std::uint64_t checksum = 0;  ///< Hash of the same, a piece after the other
+  std::uint64_t size = 0;      ///< of the states between head and tail [bytes]
+  std::uint64_t checksum = 0;  ///< Hash of the states, piece by piece
 };
 inline constexpr std::size_t checkpoint_piece = 1 << 20;  // bytes
 
@@ -72,7 +72,7 @@ class CheckpointWriter final : public Archive {
   CheckpointTail tail_;
 };
 
-/// Reads a file that is sound: it is looked at from end to end first.
+/// Verifies the checksum before restoring anything.
 class CheckpointReader final : public Archive {
  public:
   /// Errors: no such file; not a checkpoint, of another format or machine, damaged, or of another scene.
@@ -114,7 +114,7 @@ class CheckpointReader final : public Archive {
     Hash hash;
     CheckpointTail tail;
     std::string piece(checkpoint_piece + sizeof tail, '\0');
-    std::size_t kept = 0;  // what may be the tail is kept back
+    std::size_t kept = 0;  // bytes held back, since they may be the tail
     for (std::size_t got = 1; got > 0;) {
       got = std::fread(piece.data() + kept, 1, piece.size() - kept, file_.stream);
       kept += got;
@@ -156,7 +156,7 @@ std::uint64_t fingerprint_of(Things&... things) {
   return fingerprint.value();
 }
 
-/// Whether all that belongs to it tells what it remembers; what does not gets one sentence.
+/// True if every item of a run has a serialize function; else one sentence of the compiler.
 template <class Thing>
 constexpr bool remembers() {
   if constexpr (requires { Thing::template remembers<Archive>(); }) {
@@ -173,8 +173,8 @@ constexpr bool remembers() {
 
 }  // namespace detail
 
-/// Writes what things remember (a run, its history and film, your own numbers; see Archive) into one file: whole, or
-/// what was there before stays. It has a version and a checksum.
+/// Writes the states of a run, its history and film, and numbers of your own (see Archive) into one file with a version
+/// and a checksum. If that fails, the old file stays.
 template <class... Things>
 void write_checkpoint(const std::string& path, Things&... things) {
   if constexpr ((detail::remembers<Things>() && ...))
@@ -185,8 +185,8 @@ void write_checkpoint(const std::string& path, Things&... things) {
     });
 }
 
-/// Puts the same things, made anew by the same program, where they were. Errors, before anything is changed: there is
-/// no such file, it is damaged, or of another scene.
+/// Restores the states of the same objects, made anew by the same program. Errors, before anything is changed: no such
+/// file; a damaged file; a file of another scene.
 template <class... Things>
 void read_checkpoint(const std::string& path, Things&... things) {
   if constexpr ((detail::remembers<Things>() && ...)) {
@@ -196,25 +196,25 @@ void read_checkpoint(const std::string& path, Things&... things) {
   }
 }
 
-/// Whether a run begins where its checkpoint left it, if there is one.
+/// Start of a run: always anew, or from its checkpoint if there is one.
 enum class Restart { never, if_there };
 
-/// When a Checkpoint is written: as soon as one of the two has passed since the last.
+/// Times at which a Checkpoint is written: when either interval since the last has passed.
 struct CheckpointOptions {
   double interval = std::numeric_limits<double>::infinity();  ///< of the run [time]
-  double seconds = 60;                                        ///< of the clock on the wall
+  double seconds = 60;                                        ///< of wall-clock time
   Restart restart = Restart::never;
 };
 
-/// An observer that keeps a run in a file from which it can go on, to the bit, after whatever has ended it: with all
-/// observers of the same `until`, and with its companions, what these write or collect:
+/// An observer that saves a run, the observers of the same `until` and its companions to a file, from which the run
+/// continues after any interruption with bitwise the same results:
 ///
 ///   History history{"history.csv", {{"time", "ms"}, {"length", "mm"}}};
 ///   run.until(0.08, Every{0.001, [&] { history.row(run.time(), length()); }},
 ///             Checkpoint{"bar.checkpoint", {.restart = Restart::if_there}, history});
 ///
-/// What stands in a History after the checkpoint is cut off, so that nothing is missing or there twice. Constants of
-/// materials and the options of the run are the program's, and may be changed in between.
+/// Rows of a History after the checkpoint are removed and written anew, so that no row is missing or doubled. Constants
+/// of materials and options of the run are not in the file: the program may change them in between.
 template <class... Companions>
 class Checkpoint {
  public:
@@ -228,8 +228,8 @@ class Checkpoint {
                                   " seconds; both must be positive."}));
   }
 
-  void operator()() const {}  // it looks when all others have
-  /// Before a run begins: whether it has been put to where the file says.
+  void operator()() const {}  // `save` runs after the other observers
+  /// Restores the run before it starts; true if there was a file.
   template <class Run, class Observers>
   bool resume(Run& run, Observers observers) {
     start_clocks(run);
@@ -242,7 +242,7 @@ class Checkpoint {
     }
     return false;
   }
-  /// After each step, when the other observers have seen it.
+  /// Writes the file if it is due: after each step, after the other observers.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
     if (run.time() < next_ && detail::wall_clock() < alarm_) return;
@@ -258,7 +258,7 @@ class Checkpoint {
     alarm_ = detail::wall_clock() + options_.seconds;
   }
 
-  /// The run, the companions, and those of the observers that remember something.
+  /// The run, the companions, and the observers that have a state.
   template <class Run, class Observers>
   struct All {
     Run& run;

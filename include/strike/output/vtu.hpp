@@ -40,7 +40,7 @@ inline void append_base64(std::string& text, std::string_view bytes) {
   }
 }
 
-/// A DataArray of a VTK XML file: 8 bytes that count the bytes, then the numbers, in base64.
+/// A DataArray of a VTK XML file: the size in 8 bytes, then the numbers, in base64.
 template <class Number>
 class DataArray {
  public:
@@ -220,7 +220,7 @@ void write_vtu(const std::string& path, const Run& run) {
 }
 
 /// A film for ParaView: `stem_0000.vtu`, `stem_0001.vtu`, ... and two lists of them, `stem.pvd` and `stem.vtu.series`
-/// (open either). The lists are rewritten whole after each file, so that those of a run that was killed still open.
+/// (open either). The lists are rewritten whole after each file, so that the film of a killed run opens too.
 class VtuSeries {
  public:
   /// `stem` is the path without extension, e.g. "out/taylor".

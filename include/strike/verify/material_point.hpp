@@ -30,7 +30,7 @@ struct Record {
   SymmetricTensor<T> rate_of_deformation{};                  ///< D in the middle of the step that led here
   SymmetricTensor<T> stress{};                               ///< Cauchy
   T work{};                                                  ///< of the stress, per reference volume
-  typename M::template State<T> state{};                     ///< what the material remembers
+  typename M::template State<T> state{};                     ///< state of the material
 
   T relative_volume() const { return deformation_gradient.determinant(); }
   /// Logarithmic strain of Hencky, ln V with F = V R.
@@ -42,15 +42,15 @@ struct Record {
   }
 };
 
-/// One material point without a mesh, to verify a law: strain or stress is prescribed, component by component, and the
-/// history comes back. The kinematics are those of the elements at mid-step, and `rotation` turns the state.
+/// One material point without a mesh, to verify a law: strain or stress is prescribed component by component; the
+/// result is the history. The kinematics are those of the elements at mid-step, and `rotation` turns the state.
 ///   MaterialPoint point{copper};
 ///   const auto history = point.run(cyclic(uniaxial_stress({.strain = 0.02, .rate = 1e3}), 3));
 ///   write("curve.csv", history);
 /// In dual numbers (`MaterialPoint{copper, in<Dual<double, 2>>}`) the history has derivatives.
-/// A material in plane stress stands in its plate's frame and feels no spin; what happens across follows from it.
-/// Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point then
-/// is what it was before the step.
+/// A material in plane stress is in the frame of its plate, without spin; the strain across the plate follows from the
+/// law. Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point
+/// then has its state of before the step.
 template <class M, Rotation R = HughesWinget, class T = double>
   requires(SolidMaterial<M> || PlaneMaterial<M>)
 class MaterialPoint {
@@ -72,7 +72,7 @@ class MaterialPoint {
       return material_.moduli(now_.state, {now_.rate_of_deformation, now_.relative_volume()});
   }
 
-  /// One step with the velocity gradient L in its middle. A component with a prescribed stress reaches that; L has the
+  /// One step with the velocity gradient L in its middle. A component with a prescribed stress reaches it; L holds the
   /// first guess of its rate.
   const Record<M, T>& step(const Matrix3<T>& L, double dt, const PrescribedStress& stress = {}) {
     Target target;
@@ -86,7 +86,7 @@ class MaterialPoint {
     return step((2 / dt) * (F - F_old) * (F + F_old).inverse(), dt);
   }
 
-  /// Follows the path from now on and gives the record of every step, the present one first.
+  /// Follows the path and returns the record of every step, the present one first.
   std::vector<Record<M, T>> run(const Path& path) {
     std::vector<Record<M, T>> history{now_};
     run(path, [&](const Record<M, T>& record) { history.push_back(record); });
@@ -134,7 +134,7 @@ class MaterialPoint {
   static Vector3<T> spin(const Matrix3<T>& L) { return is_plane ? Vector3<T>(Vector3<T>::Zero()) : axial_vector(L); }
   static bool is_given(const T& stress) { return stress == stress; }
 
-  /// Where a step with this rate of deformation and the axial vector w of the spin leads.
+  /// Record after a step with this rate of deformation and the axial vector w of the spin.
   Record<M, T> answer(const Tensor& rate_of_deformation, const Vector3<T>& w, double dt) const {
     Record<M, T> next = now_;
     next.time += dt;
@@ -171,9 +171,10 @@ class MaterialPoint {
     return now_ = std::move(next);
   }
 
-  /// Newton's method for the rates of the components with a prescribed stress, from the guess `next`. It counts strain
-  /// increments, and stresses over the wave modulus. The tangent is a difference quotient, so that the law need not run
-  /// on dual numbers; where it is singular, as in the shear of a fluid, some rates stay as they are.
+  /// Newton's method for the rates of the components with a prescribed stress, from the guess `next`. Unknowns are
+  /// strain increments; residuals are stresses over the wave modulus. The tangent is a difference quotient, so that the
+  /// law needs no dual numbers; where it is singular, as in the shear of a fluid, the rates that it leaves open stay as
+  /// they are.
   Record<M, T> reach(const Target& target, Record<M, T> next, const Vector3<T>& w, double dt) const {
     constexpr double rounding = std::numeric_limits<double>::epsilon(), tolerance = 64 * rounding;
     const double difference = std::sqrt(rounding);  // balances the rounding of the volume and the curvature
@@ -221,7 +222,8 @@ class MaterialPoint {
     if (!(r.norm() <= tolerance)) refuse(target, next, r);
 
     if constexpr (requires(T a) { a.derivative(0); }) {
-      // The derivatives are those of the implicit function; the second step takes out what the quotients are off by.
+      // The derivatives are those of the implicit function; the second step removes the error of the difference
+      // quotients.
       const Eigen::FullPivLU<Matrix6> lu = tangent(next, r);
       for (int i = 0; i < 2; ++i) {
         Eigen::Matrix<double, 6, static_cast<int>(T::variables())> slopes;
@@ -266,7 +268,7 @@ MaterialPoint(M, In<T>) -> MaterialPoint<M, HughesWinget, T>;
 template <class M, class R, class T>
 MaterialPoint(M, R, In<T>) -> MaterialPoint<M, R, T>;
 
-/// The value f(record) of every record: what a chart asks for.
+/// The value f(record) of every record, for a chart.
 template <class M, class F>
 std::vector<double> values(const std::vector<Record<M>>& history, F f) {
   std::vector<double> all;
@@ -276,7 +278,8 @@ std::vector<double> values(const std::vector<Record<M>>& history, F f) {
 }
 
 /// Writes the records as CSV: time, logarithmic strain, Cauchy stress, its von Mises equivalent, relative volume, work
-/// per reference volume, and the numbers that the material remembers under names known here.
+/// per reference volume, and of the material's state the internal energy, plastic strain, temperature rise and
+/// intactness, where it has them.
 template <class M>
 void write(const std::string& path, const std::vector<Record<M>>& history) {
   using State = typename M::template State<double>;

@@ -22,14 +22,14 @@ struct PatchMesh {
 /// Seven hexahedra: the core `inner`, by default a distorted one, and one on each face, out to the unit cube.
 inline PatchMesh<8> hexahedra_patch(const Nodal<double, 8>& inner) {
   PatchMesh<8> patch{Eigen::Matrix3Xd(3, 16),
-                 {{8, 9, 10, 11, 12, 13, 14, 15},  // the core
-                  {0, 1, 2, 3, 8, 9, 10, 11},
-                  {12, 13, 14, 15, 4, 5, 6, 7},  // below, above
-                  {0, 1, 9, 8, 4, 5, 13, 12},
-                  {11, 10, 2, 3, 15, 14, 6, 7},  // front, back
-                  {0, 8, 11, 3, 4, 12, 15, 7},
-                  {9, 1, 2, 10, 13, 5, 6, 14}},  // left, right
-                 8};
+                     {{8, 9, 10, 11, 12, 13, 14, 15},  // the core
+                      {0, 1, 2, 3, 8, 9, 10, 11},
+                      {12, 13, 14, 15, 4, 5, 6, 7},  // below, above
+                      {0, 1, 9, 8, 4, 5, 13, 12},
+                      {11, 10, 2, 3, 15, 14, 6, 7},  // front, back
+                      {0, 8, 11, 3, 4, 12, 15, 7},
+                      {9, 1, 2, 10, 13, 5, 6, 14}},  // left, right
+                     8};
   patch.nodes << unit_cube(), inner;
   return patch;
 }
@@ -81,7 +81,7 @@ PatchMesh<E::nodes> unit_patch() {
     return tetrahedra_patch();
 }
 
-/// Answer of a patch to a motion.
+/// Response of a patch to a motion.
 template <class E>
 struct PatchResponse {
   int first_inner;
@@ -96,7 +96,7 @@ struct PatchResponse {
     for (const auto& element : elements) sum += element.volume;
     return sum;
   }
-  /// The largest difference of what measure(stress) gives for an element from what it gives for the first, relative.
+  /// The largest difference of measure(stress) of an element from that of the first element, relative.
   template <class Measure>
   double spread(Measure measure) const {
     double largest = 0;
@@ -138,7 +138,7 @@ PatchResponse<E> move_patch(const E& element, const M& material, const PatchMesh
   return response;
 }
 
-/// How far a patch is from the uniform stress that a linear motion of its nodes should give.
+/// Errors of a patch under a linear motion of its nodes, which should give a uniform stress.
 struct PatchResult {
   const char* motion;
   double stress;  ///< the largest difference between elements, of the stress
@@ -147,10 +147,10 @@ struct PatchResult {
   double error() const { return std::max(stress, force); }
 };
 
-/// The patch tests. Solids are stretched and sheared: one motion in which all six strains take part, by 1e-3 in a
-/// stable step, without compression, where bulk viscosity depends on the size. Plates, which lie in a plane, are
-/// strained in it, bent into a deflection that leaves no transverse shear, and sheared; of their resultants, which live
-/// in the frames of the elements, the invariants are compared.
+/// The patch tests. Solids are stretched and sheared: one motion with all six strains, 1e-3 in a stable step, without
+/// compression, since bulk viscosity depends on the size. Plates, which lie in a plane, are strained in it, bent into a
+/// deflection that leaves no transverse shear, and sheared; the invariants of their resultants are compared, since
+/// these are in the frames of the elements.
 template <class E, class M>
 std::vector<PatchResult> patch_tests(const E& element, const M& material,
                                      const PatchMesh<E::nodes>& patch = unit_patch<E>()) {

@@ -11,7 +11,7 @@
 
 namespace strike::verify {
 
-/// The components of the Cauchy stress that are prescribed. The others are free: they answer to the motion.
+/// Prescribed components of the Cauchy stress; the free ones follow from the motion.
 struct PrescribedStress {
   static constexpr double free = std::numeric_limits<double>::quiet_NaN();
   double xx = free, yy = free, zz = free, xy = free, yz = free, zx = free;
@@ -75,7 +75,7 @@ inline Path hydrostatic(const Ramp& ramp) {
   return path;
 }
 
-/// Nothing moves: relaxation.
+/// A pause without motion, in which stresses relax.
 inline Path hold(double duration, std::size_t steps = 100) { return {{Segment{.duration = duration, .steps = steps}}}; }
 
 /// The motion of the path run back, under the same prescribed stresses: unloading.
@@ -85,7 +85,7 @@ inline Path back(const Path& path) {
   return reversed;
 }
 
-/// There and back, then as far to the other side and back, `cycles` times.
+/// Cycles of four quarters: the path, back, as far to the other side, and back; `cycles` times.
 inline Path cyclic(const Path& quarter, int cycles = 1) {
   const Path reversed = back(quarter), cycle = quarter + reversed + reversed + quarter;
   Path path;

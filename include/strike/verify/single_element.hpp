@@ -22,19 +22,19 @@ namespace strike::verify {
 template <class E>
 struct ElementRecord {
   double time = 0;
-  typename E::Kinematics::template Stress<double> stress{};  ///< that the material remembers, the mean over its points
+  typename E::Kinematics::template Stress<double> stress{};  ///< in the material, the mean over its points
   double volume = 0;                                         ///< of a plate the area
   double stable_step = 0;                                    ///< that the element claims
   Nodal<double, E::nodes> x;
-  Nodal<double, motions<E>> force;  ///< on the element's nodes, and moments behind, that give the motion
+  Nodal<double, motions<E>> force;  ///< external ones on the element's nodes, then the moments
   double internal = 0;              ///< work of the stresses
   double hourglass = 0;             ///< work against the hourglass control
   double bulk_viscosity = 0;        ///< dissipated by the bulk viscosity
   double external = 0;  ///< work of the prescribed motion, by the mean of the forces before and after a step
 };
 
-/// How the forces of an element answer to small motions of its coordinates, node after node: f = K x + C v, with the
-/// mass m at each node. Rotations count as lengths, the radius of gyration times the angle, so that they have it too.
+/// Linearised forces of an element on its coordinates, node after node: f = K x + C v, with the mass m at each node.
+/// Rotations are lengths, the radius of gyration times the angle, so that their mass is m too.
 template <class T = double>
 struct ElementVibration {
   using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
@@ -118,9 +118,9 @@ class SingleElement {
     return record_;
   }
 
-  /// Takes steps of dt with the nodes at the velocities motion(x, t), a column per node, of the middle of each step: so
-  /// a rotation is one. Nodes that turn have angular velocities in further columns, else motion.angular_velocity(),
-  /// else none. Returns the record of every step, the present one first.
+  /// Takes steps of dt with the nodes at the velocities motion(x, t), a column per node, of the middle of each step, so
+  /// that a rotation is exact. Nodes that turn have angular velocities in further columns, else
+  /// motion.angular_velocity(), else none. Returns the record of every step, the present one first.
   template <class VelocityField>
   std::vector<Record> run(const VelocityField& motion, double dt, std::size_t steps) {
     std::vector<Record> history{record_};
