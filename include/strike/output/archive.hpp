@@ -87,9 +87,10 @@ class Archive {
     else if constexpr (is_plain<T>)
       bytes(&value, sizeof value);
     else
-      static_assert(is_plain<T>,
-                    "strike: an Archive does not know how to keep this: give its type template <class Archive> void "
-                    "serialize(Archive& archive) { archive(...); } with all that it remembers.");
+      static_assert(
+          is_plain<T>,
+          "strike: an Archive cannot save this type: give it template <class Archive> void serialize(Archive& "
+          "archive) { archive(...); } with its state.");
   }
 
   template <class List>

@@ -83,24 +83,24 @@ class CheckpointReader final : public Archive {
     const CheckpointHead ours;
     if (!get(&head, sizeof head) || std::memcmp(head.magic, ours.magic, sizeof head.magic) != 0)
       refuse("is none; give the path of a file that a Checkpoint has written");
-    if (head.byte_order != ours.byte_order) refuse("is of another kind of machine; go on where it was written");
+    if (head.byte_order != ours.byte_order) refuse("is of another kind of machine; continue where it was written");
     if (head.version != ours.version)
       refuse(joined({"has the format ", std::to_string(head.version), " but this version of strike reads ",
-                     std::to_string(ours.version), "; go on with the version that wrote it"}));
+                     std::to_string(ours.version), "; continue with the version that wrote it"}));
     if (read_tail().scene != scene)
       refuse(
-          "is of another scene: its mesh, elements, materials, numbers or observers differ; go on with the program "
+          "is of another scene: its mesh, elements, materials, numbers or observers differ; continue with the program "
           "that wrote it");
     std::fseek(file_.stream, sizeof head, SEEK_SET);
   }
 
   void finish() const {
-    if (left_ > 0) refuse("holds more than the scene asks for; begin anew");
+    if (left_ > 0) refuse("holds more than the scene has; start anew");
   }
 
  private:
   void allow(std::uint64_t count) override {
-    if (count > left_) refuse("holds less than the scene asks for; begin anew");
+    if (count > left_) refuse("holds less than the scene has; start anew");
   }
   void bytes(void* to, std::size_t count) override {
     allow(count);
@@ -130,7 +130,7 @@ class CheckpointReader final : public Archive {
       std::memcpy(&tail, piece.data() + kept - sizeof tail, sizeof tail);
     }
     if (kept < sizeof tail || tail.size != left_ || tail.checksum != hash.value())
-      refuse("is cut short or damaged; take an older one, or begin anew");
+      refuse("is cut short or damaged; take an older one, or start anew");
     return tail;
   }
 
@@ -149,22 +149,21 @@ class CheckpointReader final : public Archive {
   std::uint64_t left_ = 0;
 };
 
-template <class... Things>
-std::uint64_t fingerprint_of(Things&... things) {
+template <class... Objects>
+std::uint64_t fingerprint_of(Objects&... objects) {
   Fingerprint fingerprint;
-  fingerprint(things...);
+  fingerprint(objects...);
   return fingerprint.value();
 }
 
 /// True if every item of a run has a serialize function; else one sentence of the compiler.
-template <class Thing>
+template <class Object>
 constexpr bool remembers() {
-  if constexpr (requires { Thing::template remembers<Archive>(); }) {
-    constexpr bool all = Thing::template remembers<Archive>();
+  if constexpr (requires { Object::template remembers<Archive>(); }) {
+    constexpr bool all = Object::template remembers<Archive>();
     static_assert(all,
-                  "strike: a thing of this Scene does not tell a checkpoint what it remembers: give it template <class "
-                  "Archive> void serialize(Archive& archive) { archive(...); }, with empty braces if it remembers "
-                  "nothing.");
+                  "strike: an item of this Scene has no function serialize for a checkpoint: give it template <class "
+                  "Archive> void serialize(Archive& archive) { archive(...); }, with empty braces if it has no state.");
     return all;
   } else {
     return true;
@@ -175,23 +174,23 @@ constexpr bool remembers() {
 
 /// Writes the states of a run, its history and film, and numbers of your own (see Archive) into one file with a version
 /// and a checksum. If that fails, the old file stays.
-template <class... Things>
-void write_checkpoint(const std::string& path, Things&... things) {
-  if constexpr ((detail::remembers<Things>() && ...))
+template <class... Objects>
+void write_checkpoint(const std::string& path, Objects&... objects) {
+  if constexpr ((detail::remembers<Objects>() && ...))
     detail::replace_file(path, [&](detail::OutputFile& file) {
       detail::CheckpointWriter archive(file);
-      archive(things...);
+      archive(objects...);
       archive.finish();
     });
 }
 
 /// Restores the states of the same objects, made anew by the same program. Errors, before anything is changed: no such
 /// file; a damaged file; a file of another scene.
-template <class... Things>
-void read_checkpoint(const std::string& path, Things&... things) {
-  if constexpr ((detail::remembers<Things>() && ...)) {
-    detail::CheckpointReader archive(path, detail::fingerprint_of(things...));
-    archive(things...);
+template <class... Objects>
+void read_checkpoint(const std::string& path, Objects&... objects) {
+  if constexpr ((detail::remembers<Objects>() && ...)) {
+    detail::CheckpointReader archive(path, detail::fingerprint_of(objects...));
+    archive(objects...);
     archive.finish();
   }
 }
@@ -223,9 +222,9 @@ class Checkpoint {
   Checkpoint(std::string path, const CheckpointOptions& options, Companions&... companions)
       : path_(std::move(path)), options_(options), companions_(companions...) {
     if (!(options.interval > 0 && options.seconds > 0))
-      throw Error(detail::joined({"strike: the Checkpoint '", path_, "' is to be written every ",
-                                  detail::text(options.interval), " of the run or ", detail::text(options.seconds),
-                                  " seconds; both must be positive."}));
+      throw Error(
+          detail::joined({"strike: the Checkpoint '", path_, "' has the interval ", detail::text(options.interval),
+                          " and the seconds ", detail::text(options.seconds), "; give positive ones."}));
   }
 
   void operator()() const {}  // `save` runs after the other observers

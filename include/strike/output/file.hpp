@@ -67,7 +67,7 @@ class OutputFile {
     cut(bytes);
     if (std::uint64_t there = 0; !has_size(path_, there) || there != bytes)
       throw Error(joined(
-          {"strike: the file '", path_, "' is not as long as when the run was saved: put it back, or begin anew."}));
+          {"strike: the file '", path_, "' is not as long as when the run was saved: put it back, or start anew."}));
     size_ = bytes;
   }
   /// Size of the text written [bytes].
