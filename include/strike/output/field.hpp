@@ -26,7 +26,7 @@ template <>
 inline constexpr bool is_row<SymmetricTensor<double>> = true;
 }  // namespace detail
 
-/// Rows of numbers, one per node or cell: scalars, vectors or tensors. A copy, which outlives what it was made from.
+/// Rows of numbers, one per node or cell: scalars, vectors or tensors. They are a copy, so that the vector that they come from may go.
 class Rows {
  public:
   /// `components` numbers a row; rows start `stride` numbers apart (by default they follow each other).

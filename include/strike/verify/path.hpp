@@ -18,8 +18,8 @@ struct PrescribedStress {
 };
 
 /// A part of a path in equal steps. The motion follows the velocity gradient; where a stress is prescribed, it runs
-/// linearly from what it is to that value at the end, and the rate of deformation of that component follows from it.
-/// The spin is always that of the velocity gradient.
+/// linearly from its present value to that value at the end, and the rate of deformation of that component follows from
+/// it. The spin is always that of the velocity gradient.
 struct Segment {
   double duration;  ///< [time]
   std::size_t steps = 100;
