@@ -46,8 +46,8 @@ class ContactNodes {
   template <class N>
   void gather(const N& nodes) {
     for (std::size_t i = 0; i < place_.size(); ++i) {
-      x[i] = N::told(nodes.position()[place_[i]]);
-      v[i] = N::told(nodes.velocity()[place_[i]]);
+      x[i] = N::vector_of(nodes.position()[place_[i]]);
+      v[i] = N::vector_of(nodes.velocity()[place_[i]]);
     }
     for (const Index i : touched_) is_touched_[i] = 0, normal_impulse[i].setZero(), friction_impulse[i].setZero();
     touched_.clear();
@@ -57,7 +57,7 @@ class ContactNodes {
   template <class N, class Pairs>
   void gather_forces(const N& nodes, Pairs& pairs, double kick) {
     const auto gather_force = [&](Index i) {
-      if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::told(nodes.force()[place_[i]]));
+      if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
     };
     for (auto& pair : pairs) {
       gather_force(pair.node);
