@@ -80,8 +80,8 @@ double speed_up(const Mesh& mesh) {
 }  // namespace
 
 int main() {
-  std::fputs(head({"hexahedra", "bytes an element, double", "float", "mixed", "start [steps]", "step [ns], double",
-                   "float", "mixed", "two threads"})
+  std::fputs(head({"hexahedra", "bytes, double", "float", "mixed", "start [steps]", "step [ns]: double", "float",
+                   "mixed", "two threads"})
                  .c_str(),
              stdout);
   for (const Index n : {159u, 100u, 46u, 22u, 11u}) {  // the largest first: memory that was given back is not asked for

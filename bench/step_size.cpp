@@ -46,19 +46,19 @@ Outcome outcome(Run run, double end, const Answer& answer) {
 }
 
 struct Problem {
-  std::string name, answer;
+  std::string name;
   std::function<Outcome(ElementStep)> elements;
   std::function<Outcome(GlobalStep)> mesh;
 };
 template <class Run>
-Problem problem(std::string name, std::string answer, Run run) {
-  return {std::move(name), std::move(answer), run, run};
+Problem problem(std::string name, Run run) {
+  return {std::move(name), run, run};
 }
 
 /// Taylor's bar (tests/problems/taylor_bar.hpp).
 Problem taylor_bar(Index cells, Index layers) {
   return problem(detail::joined({"Taylor bar, ", std::to_string(cells), " x ", std::to_string(layers)}),
-                 "final length [mm]", [=](const auto& bound) {
+                 [=](const auto& bound) {
                    return outcome(taylor::bar(taylor::mm_ms_kg, cells, layers, in<Pack<double>>, Hex8{}, bound),
                                   taylor::mm_ms_kg.end, [](const auto& run) { return taylor::length(run); });
                  });
@@ -67,7 +67,7 @@ Problem taylor_bar(Index cells, Index layers) {
 /// A block of steel that strikes a rigid wall with its face z = 0, its cells growing away from there. Metres, seconds,
 /// kilograms.
 Problem block(std::string name, double speed, const std::array<double, 3>& grading) {
-  return problem(std::move(name), "final height [mm]", [=](const auto& bound) {
+  return problem(std::move(name), [=](const auto& bound) {
     constexpr double size = 0.1;
     const Mesh mesh = box({.size = {size, size, size}, .cells = {16, 16, 16}, .grading = grading});
     const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 167e9},
@@ -103,8 +103,7 @@ std::string row(const Problem& problem, const Outcome& e, const Outcome& m) {
                          " | ", ratio(m.seconds, e.seconds),
                          " | ", std::to_string(m.asked),
                          " | ", std::to_string(m.products),
-                         " | ", problem.answer,
-                         " ",   number("%.4g", e.answer),
+                         " | ", number("%.4g", e.answer),
                          ", ",  number("%.4g", m.answer),
                          " | ", number("%.1e", e.drift),
                          ", ",  number("%.1e", m.drift),
@@ -118,14 +117,15 @@ int main(int count, char** arguments) {
     const std::size_t repeats = options.count("repeats", 3);
     options.check();
     std::string table =
-        "| problem | steps: elements | mesh | ratio | CPU [s]: elements | mesh | ratio | asked | products | answer | "
-        "energy error |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|---|---|\n";
+        "| problem | steps: own | mesh | ratio | CPU [s]: own | mesh | ratio | asked | products | answer [mm] | "
+        "energy "
+        "error |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|---|---|\n";
     std::printf("%s", table.c_str());
-    for (const Problem& p : {taylor_bar(2, 33), taylor_bar(3, 50), taylor_bar(4, 67), taylor_bar(6, 100),
-                             block("even block, 10 m/s", 10, {1, 1, 1}), block("even block, 100 m/s", 100, {1, 1, 1}),
-                             block("graded block, 1 to 10, 10 m/s", 10, {10, 10, 10}),
-                             block("graded block, 1 to 10, 100 m/s", 100, {10, 10, 10}),
-                             block("block of flat cells, 1 to 10 along z, 100 m/s", 100, {1, 1, 10})}) {
+    for (const Problem& p :
+         {taylor_bar(2, 33), taylor_bar(3, 50), taylor_bar(4, 67), taylor_bar(6, 100),
+          block("even block, 10 m/s", 10, {1, 1, 1}), block("even block, 100 m/s", 100, {1, 1, 1}),
+          block("graded, 1 to 10, 10 m/s", 10, {10, 10, 10}), block("graded, 1 to 10, 100 m/s", 100, {10, 10, 10}),
+          block("flat, 1 to 10, 100 m/s", 100, {1, 1, 10})}) {
       const std::string line = row(p, quickest(p.elements, repeats), quickest(p.mesh, repeats));
       std::printf("%s", line.c_str());
       std::fflush(stdout);

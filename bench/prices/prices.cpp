@@ -54,7 +54,7 @@ constexpr const char* introduction = R"(# What does each feature cost?
 
     cmake --workflow --preset bench && OMP_PROC_BIND=true build/bench/bench/prices out=docs/prices.md
 
-Each row differs from the usual in one thing. Both begin anew several times and take turns of some steps. Given are the
+Each row differs from the usual in one feature. Both begin anew several times and take turns of some steps. Given are the
 median of the ratios of their times, half the range of the middle half of these ratios, and what that is in time where
 the usual takes its own median. Bytes are those that an element stores, with the numbers of its nodes.
 )";

@@ -54,9 +54,8 @@ constexpr auto laws = [](auto& cases) {
   cases.add("Kinematic, two ways", BothWays<Kinematic>{});
   cases.add("Kinematic, one way", OneWay<Kinematic>{});
   for (const double fraction : {0.02, 0.1, 0.2, 0.5, 1.0})
-    cases.add(detail::joined({"Penalty, fraction ", detail::text(fraction)}),
-              BothWays<Penalty>{{.fraction = fraction}});
-  cases.add("Penalty, fraction 0.2, one way", OneWay<Penalty>{{.fraction = 0.2}});
+    cases.add(detail::joined({"Penalty ", detail::text(fraction)}), BothWays<Penalty>{{.fraction = fraction}});
+  cases.add("Penalty 0.2, one way", OneWay<Penalty>{{.fraction = 0.2}});
 };
 
 }  // namespace

@@ -82,7 +82,7 @@ Problem pane() {
   return problem({.name = "pane",
                   .title = "Laminated pane that swings",
                   .error = "lowest frequency against three-dimensional elasticity",
-                  .meshes = {"8 over the span", "16 over the span", "32 over the span", "64 over the span"},
+                  .meshes = {"span 8", "span 16", "span 32", "span 64"},
                   .elements = "plates"},
                  swing, usual_pane, shears, effective_numbers);
 }

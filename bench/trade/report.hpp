@@ -44,11 +44,11 @@ inline std::vector<const Run*> mark_front(Study& study) {
   return front;
 }
 
-/// "0.42 % in 0.63 s", bold on the front.
+/// Error [%] in CPU time [s], "0.42 in 0.63", bold on the front.
 inline std::string cell(const Run& run) {
   if (!run.failure.empty()) return "given up";
-  const std::string text = detail::joined(
-      {formatted("%.2g", 100 * run.outcome.error), " % in ", formatted("%.2g", run.outcome.seconds), " s"});
+  const std::string text =
+      detail::joined({formatted("%.2g", 100 * run.outcome.error), " in ", formatted("%.2g", run.outcome.seconds)});
   return run.on_front ? detail::joined({"**", text, "**"}) : text;
 }
 
@@ -57,11 +57,10 @@ inline std::string markdown(const Study& study) {
   std::vector<std::string> titles{"policy"};
   for (std::size_t k = 0; k < study.runs.front().size(); ++k)
     titles.push_back(
-        detail::joined({study.problem.meshes[k], ", ", std::to_string(study.runs.front()[k].outcome.elements), " ",
-                        study.problem.elements}));
-  titles.insert(titles.end(), {"steps", "ns per element and step"});
-  std::string text =
-      detail::joined({"### ", study.problem.title, "\n\nError: ", study.problem.error, ".\n\n", head(titles)});
+        detail::joined({study.problem.meshes[k], ": ", std::to_string(study.runs.front()[k].outcome.elements)}));
+  titles.insert(titles.end(), {"steps", "ns"});
+  std::string text = detail::joined({"### ", study.problem.title, "\n\nError: ", study.problem.error,
+                                     ". Meshes with their number of ", study.problem.elements, ".\n\n", head(titles)});
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     std::vector<std::string> cells{study.problem.cases[i].policy};
     for (const Run& run : study.runs[i]) cells.push_back(cell(run));

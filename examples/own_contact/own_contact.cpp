@@ -25,7 +25,7 @@ int main(int count, char** arguments) {
     Explicit run{Scene{corners, Part{Plate4{}, Homogeneous{PlaneStress{glass}, 3.0}, Cells<4>{{0, 1, 2, 3}}},
                        InitialVelocity{{2, 0, -1}},
                        Contact{NodeToRigid{std::vector<Index>{0, 1, 2, 3}, RigidTorus{radius, tube}}, Restitution{0.7},
-                               LimitedFriction{.coefficient = 0.3, .largest_impulse = 1}}}};
+                               LimitedFriction{.coefficient = 0.3, .largest = 1}}}};
     run.until(0.01);
 
     const Eigen::Vector3d v = run.nodes().v(0);

@@ -23,9 +23,9 @@ struct Restitution {
 
 /// Coulomb's friction up to what the surface can bear.
 struct LimitedFriction {
-  double coefficient, largest_impulse;
+  double coefficient, largest;
 
-  double impulse(double normal, double stops) const { return std::min({coefficient * normal, largest_impulse, stops}); }
+  double impulse(double normal, double stops) const { return std::min({coefficient * normal, largest, stops}); }
 };
 
 /// A rigid torus about the z axis.
