@@ -60,7 +60,8 @@ Seen watch(Run& run, double end, std::size_t steps, std::size_t every) {
 
 TEST_CASE("the largest eigenvalue of the chain of n springs, 2 + 2 cos(pi/(n + 1)), from above") {
   for (const std::size_t n : {1u, 2u, 5u, 100u}) {
-    const double found = strike::detail::largest_eigenvalue(std::vector<double>(n, 2.0), std::vector<double>(n - 1, -1.0));
+    const double found =
+        strike::detail::largest_eigenvalue(std::vector<double>(n, 2.0), std::vector<double>(n - 1, -1.0));
     const double exact = 2 + 2 * std::cos(std::numbers::pi / static_cast<double>(n + 1));
     CHECK(found >= exact * (1 - 1e-15));
     CHECK(found <= exact * (1 + 2e-12));

@@ -26,7 +26,8 @@ template <>
 inline constexpr bool is_row<SymmetricTensor<double>> = true;
 }  // namespace detail
 
-/// Rows of numbers, one per node or cell: scalars, vectors or tensors. They are a copy, so that the vector that they come from may go.
+/// Rows of numbers, one per node or cell: scalars, vectors or tensors. They are a copy, so that the vector that they
+/// come from may go.
 class Rows {
  public:
   /// `components` numbers a row; rows start `stride` numbers apart (by default they follow each other).
