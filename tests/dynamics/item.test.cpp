@@ -49,6 +49,14 @@ struct Pushes {
   template <class Nodes>
   void begin(Nodes&) {}
 };
+/// Numbers may have the names of functions.
+struct Pulse : Load {
+  double begin = 0, stable_step = 1;
+};
+/// A helper of one's own is no misspelt function.
+struct Helper : Load {
+  void push(int) {}
+};
 struct Hidden {
  private:
   template <class Nodes>
@@ -66,6 +74,7 @@ struct Sealed final {
   void begin(Nodes&) {}
 };
 static_assert(fault<Load> == Fault::none && fault<Sealed> == Fault::none && fault<RigidWall> == Fault::none);
+static_assert(fault<Pulse> == Fault::none && fault<Helper> == Fault::none);
 static_assert(fault<Nothing> == Fault::no_function && fault<int> == Fault::no_function);
 static_assert(fault<WithoutTime> == Fault::apply_loads && fault<Pushes> == Fault::apply_loads);
 static_assert(fault<WithoutPower> == Fault::power_missing && fault<PowerOfNothing> == Fault::power);
