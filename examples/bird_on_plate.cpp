@@ -25,15 +25,15 @@ constexpr CubicEos water{.density = density, .C1 = 2.06, .C2 = 6.19, .C3 = 10.3,
 constexpr VonMises flesh{.shear_modulus = 2.07e-3, .yield_stress = 2e-5, .hardening_modulus = 1e-6};
 constexpr double at_yield = 0.999 * flesh.yield_stress;
 
-/// Fails where it first yields, and is water then.
+/// Fails where it first yields, and flows as water then.
 const Solid low_strength{water, flesh, BecomesFluid{UltimateStress{at_yield}}};
-/// Fails where it first yields, and is dust then: its elements give no force (X3D).
+/// Fails where it first yields; failed elements give no force (X3D).
 const Solid no_strength{water, flesh, UltimateStress{at_yield}};
 /// Fails at a plastic strain of 500 %.
 const Solid high_strength{water, flesh, FailureStrain{5}};
 
-/// The pressure of the flow where it turns, of which the plate feels the force on nodes about the axis: their weights
-/// fall from 1 there to 0 at `reach`.
+/// The stagnation pressure, from the forces on the nodes of the plate about the axis, with weights that fall from 1
+/// there to 0 at `reach`.
 struct Gauge {
   double reach;
 
@@ -49,7 +49,7 @@ struct Gauge {
   }
 };
 
-/// What is left of a run.
+/// Records of a run.
 struct Record {
   const BirdShape& shape;
   double speed;
@@ -112,13 +112,13 @@ double stagnation_pressure(double speed) {
   return p;
 }
 
-/// What is left of the bird, and the nodes of what is not.
+/// Picture of the remaining bird and of the nodes of its deleted elements.
 void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vector3d>& positions,
           const std::vector<double>& pressure, const std::vector<bool>& alive, double time) {
   const Mesh left = remaining(mesh, alive);
   std::vector<Eigen::Vector3d> particles;
   for (const Index i : orphan_nodes(left)) particles.push_back(positions[i]);
-  Picture picture{{.title = detail::joined({"Bird on a rigid plate after ", detail::text(time), " ms"}),
+  Picture picture{{.title = "Bird on a rigid plate after " + examples::text(time) + " ms",
                    .quantity = "pressure",
                    .unit = "MPa",
                    .from = {1, -2.5, 0.6},
@@ -217,6 +217,6 @@ int main(int count, char** arguments) {
     if (strength == "low") of(low_strength);
     if (strength == "high") of(high_strength);
     if (strength == "none") of(no_strength);
-    report(record, detail::joined({cells, ", ", form, ", ", strength, " strength"}));
+    report(record, cells + ", " + form + ", " + strength + " strength");
   });
 }

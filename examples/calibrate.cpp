@@ -17,6 +17,7 @@
 #include "support/options.hpp"
 
 using namespace strike;
+using namespace strike::calibrate;
 
 namespace {
 
@@ -66,7 +67,7 @@ constexpr std::array specimens{Specimen{34.5, 3.9, 162, 0.763, 1.701}, Specimen{
                                Specimen{34.5, 3.9, 225, 0.645, 2.056}, Specimen{34.5, 3.9, 316, 0.464, 2.724}};
 constexpr Specimen other{23.47, 3.81, 210, 0.630, 2.204};
 
-/// The shape in which a bar comes to rest: twice what it lost over its speed, and a little longer.
+/// The shape of a bar at rest, after 2.6 times its loss of length over its speed.
 template <class Law, class Number>
 auto rest(const Specimen& s, const Law& law, Index cells, Number number) {
   const auto layers = static_cast<Index>(std::lround(s.length / s.radius * cells));
@@ -80,7 +81,7 @@ auto rest(const Specimen& s, const Law& law, Index cells, Number number) {
   return bar_profile(bar, run.nodes());
 }
 
-/// Model over measurement less one, of length and foot of each specimen. A relative error counts the same in all.
+/// Model over measurement less one, for length and foot of each specimen: equal weights of relative errors.
 template <std::size_t N, class MakeLaw>
 auto shape_residuals(MakeLaw make_law, Index cells) {
   return [=](const std::array<Dual<double, N>, N>& p) {
@@ -102,7 +103,7 @@ Fit<2> fitted_bars(Index cells) {
              {.tolerance = 1e-5});
 }
 
-/// The same with the rate (1 + C r^0.2), r in 1/ms. Three evaluations show what the data can tell.
+/// Fit with the rate factor (1 + C r^0.2) too, r in 1/ms, in three evaluations.
 Fit<3> fitted_rate(const Fit<2>& without, Index cells) {
   const auto law = [](const auto& p) {
     return Sensitive{RateVonMises{.shear_modulus = 43.3, .yield_stress = 0.3, .rate_exponent = 0.2}, p,
@@ -111,7 +112,7 @@ Fit<3> fitted_rate(const Fit<2>& without, Index cells) {
   return fit(shape_residuals<3>(law, cells),
              {{"yield stress [GPa]", 0.9 * without.parameters[0]},
               {"hardening [GPa]", 0.9 * without.parameters[1]},
-              {"rate factor [ms^0.2]", 0.05, Range::any}},
+              {"rate factor [ms^0.2]", 0.05, Sign::any}},
              {.tolerance = 1e-5, .evaluations = 3});
 }
 

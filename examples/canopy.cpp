@@ -18,7 +18,7 @@ using namespace strike;
 
 namespace {
 
-// The canopy begins at fuselage station 88; the bird's centre strikes at 112, two feet aft of that, as in the paper.
+// The canopy starts at fuselage station 88; the bird's centre strikes at 112, two feet aft of that, as in the paper.
 // Its shape is an assumption, for the paper gives none: about as long, wide and high as that of an F-16.
 constexpr double first_station = 88, struck_station = 112, thickness = 0.5;
 constexpr CanopyShape shape{.length = 80,
@@ -44,7 +44,7 @@ examples::Transparency bubble() {
   for (const double station : {struck_station, 124.0, 138.0, 152.0}) {
     const double x = station - first_station;
     canopy.watched.push_back(
-        {detail::joined({"station ", detail::text(station)}), nearest_node(mesh.nodes, {x, 0, shape.height_at(x)})});
+        {"station " + examples::text(station), nearest_node(mesh.nodes, {x, 0, shape.height_at(x)})});
   }
   return canopy;
 }
@@ -56,14 +56,14 @@ void report(const examples::Transparency& canopy, const examples::Flight& flight
   for (const std::string& warning : flight.warnings) std::printf("%s\n", warning.c_str());
   Results results;
   for (std::size_t k = 0; k < canopy.watched.size(); ++k)
-    results.add({detail::joined({"largest displacement, ", canopy.watched[k].first}), flight.peaks[k], "in"});
+    results.add({"largest displacement, " + canopy.watched[k].first, flight.peaks[k], "in"});
   results.add({"impulse on the bird", flight.impulse, "lbf s"});
   examples::add_checks(results, flight);
   results.add({"CPU time", flight.seconds, "s", 0, 60, "budget"});
   results.print();
   results.write("results.csv");
 
-  Chart chart{{.title = detail::joined({"Crown of the canopy, ", bird, "-strength bird"}),
+  Chart chart{{.title = "Crown of the canopy, " + bird + "-strength bird",
                .x = {.label = "time", .unit = "ms"},
                .y = {.label = "displacement", .unit = "in"}}};
   for (std::size_t k = 0; k < canopy.watched.size(); ++k)
@@ -85,7 +85,7 @@ int main(int count, char** arguments) {
     const Homogeneous section{polycarbonate, thickness, Simpson<5>{}};
     const auto fly = [&](const auto& flesh) {
       return examples::strike_at(canopy, section, flesh, speed * examples::knot, 1e-3 * end, bird,
-                                 detail::joined({"Canopy, ", bird, "-strength bird"}), {2, 5, 10, 20});
+                                 "Canopy, " + bird + "-strength bird", {2, 5, 10, 20});
     };
     report(canopy, bird == "low" ? fly(examples::Bird::low_strength()) : fly(examples::Bird::high_strength()), bird,
            speed);

@@ -40,7 +40,7 @@ Eigen::Vector3d blast(const Eigen::Vector3d& x) {
   return {-v * std::sin(angle), 0, -v * std::cos(angle)};
 }
 
-/// What is left of a run.
+/// Records of a run.
 struct Record {
   const Mesh& panel;
   History history{"history.csv",
@@ -95,7 +95,7 @@ struct Record {
 
 template <class Section>
 void blow(const Section& section, Record& record) {
-  // Half of the panel. Its straight sides are clamped, its curved ends hinged.
+  // Half of the panel. Its straight sides are clamped, its curved ends pinned.
   const Mesh& panel = record.panel;
   const std::vector<Index> side = nodes_where(panel.nodes, [](const auto& x) { return angle_of(x) > arc - 1e-6; });
   Explicit run{Scene{panel.nodes,                                                        //
@@ -119,7 +119,7 @@ void blow(const Section& section, Record& record) {
       Every{end / 20, [&] {
               std::vector<Field> fields;
               for (std::size_t k = 0; k < section.layers(); ++k)
-                fields.push_back({detail::joined({"plastic strain, layer ", std::to_string(k)}), strain(k)});
+                fields.push_back({"plastic strain, layer " + std::to_string(k), strain(k)});
               record.film.write(run.time(), panel, run.positions(), {}, fields);
             }});
   record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -127,7 +127,7 @@ void blow(const Section& section, Record& record) {
   record.plastic_strain = part.field([](const auto& point) { return point.equivalent_plastic_strain; });
 }
 
-/// What an independent program finds with the same element and mesh (docs/verification.md), in inches.
+/// Results of an independent program with the same element and mesh (docs/verification.md) [in].
 struct Reference {
   unsigned mesh;
   const char* rule;
@@ -147,11 +147,11 @@ void report(const Record& record, unsigned mesh, const std::string& rule, unsign
   const bool known = reference != std::end(references);
   const double none = std::numeric_limits<double>::quiet_NaN();
   Results results;
-  const auto add = [&](const char* name, const Record::Point& point, double expected) {
-    results.add({detail::joined({"largest displacement, ", name}), point.peak, "in", expected, 0.02 * expected,
+  const auto add = [&](const std::string& name, const Record::Point& point, double expected) {
+    results.add({"largest displacement, " + name, point.peak, "in", expected, 0.02 * expected,
                  known ? "same mesh and rule (docs/verification.md)" : ""});
-    results.add({detail::joined({"its time, ", name}), 1000 * point.peak_time, "ms"});
-    results.add({detail::joined({"at the end, ", name}), point.displacement.back(), "in"});
+    results.add({"its time, " + name, 1000 * point.peak_time, "ms"});
+    results.add({"at the end, " + name, point.displacement.back(), "in"});
   };
   add("crown at the middle", record.points[0], known ? reference->middle : none);
   add("crown at three quarters", record.points[1], known ? reference->three_quarters : none);
@@ -200,7 +200,6 @@ int main(int count, char** arguments) {
     if (rule == "simpson3") of(Simpson<3>{});
     if (rule == "simpson5") of(Simpson<5>{});
     if (rule == "gauss5") of(Gauss<5>{});
-    report(record, mesh, rule, layers,
-           layers == 1 ? rule : detail::joined({rule, " in each of ", std::to_string(layers), " layers"}));
+    report(record, mesh, rule, layers, layers == 1 ? rule : rule + " in each of " + std::to_string(layers) + " layers");
   });
 }

@@ -18,6 +18,7 @@
 #include "support/options.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 
@@ -31,13 +32,13 @@ struct Pane {
   }
   double p() const { return std::numbers::pi / length; }
 
-  // As a section of a plate ...
+  // Section of a plate.
   template <class Shear>
   auto section(const Shear& shear) const {
     return Layered{Layer{PlaneStress{glass()}, face}, Layer{PlaneStress{interlayer()}, core},
                    Layer{PlaneStress{glass()}, face}, shear};
   }
-  // ... and without any assumption.
+  // Three-dimensional elasticity without any assumption.
   Laminate exact() const {
     const auto layer = [](const Elastic& e, double h) {
       return ElasticLayer{h, e.youngs_modulus, e.poissons_ratio, e.density};
@@ -46,7 +47,7 @@ struct Pane {
   }
 };
 
-/// What a section says of the strip under the pressure sin px.
+/// Prediction of a section for the strip under the pressure sin px.
 struct Answer {
   double K, deflection, interlaminar;
   std::vector<double> z, tau;
@@ -70,7 +71,7 @@ Answer answer(const Pane& pane, const Shear& shear) {
   return all;
 }
 
-std::string power(int decade) { return detail::joined({"1e", std::to_string(decade)}); }
+std::string power(int decade) { return "1e" + std::to_string(decade); }
 
 }  // namespace
 
@@ -104,7 +105,7 @@ int main(int count, char** arguments) {
                   plain.deflection / w, ours.deflection / w, cured.deflection / w, 1 + shear.error(pane.length), tau,
                   ours.interlaminar / tau, cured.interlaminar / tau);
 
-      const auto named = [&](const char* what) { return detail::joined({what, ", ratio ", power(decade)}); };
+      const auto named = [&](const char* what) { return std::string(what) + ", ratio " + power(decade); };
       const std::string source = "three-dimensional elasticity";
       results.add({named("deflection with EffectiveShear"), cured.deflection, "mm", w, 0.01 * w, source});
       const double predicted = w * (1 + shear.error(pane.length));

@@ -6,6 +6,7 @@
 #include <strike/verify/workbench.hpp>
 
 using namespace strike;
+using namespace strike::verify;
 
 struct Voce {
   double shear_modulus;

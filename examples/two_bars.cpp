@@ -22,7 +22,7 @@ namespace {
 using Bars = examples::TwoBars;
 const double stress = Bars::stress, duration = Bars::duration, speed = Bars::speed, area = Bars::width * Bars::width;
 
-/// What is seen of a run.
+/// Records of a run.
 struct Record {
   History history{
       "history.csv",

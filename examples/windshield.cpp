@@ -1,6 +1,6 @@
 // A bird of 4 lb at 400 knots strikes a curved laminate at 45 degrees: acrylic, interlayer, polycarbonate, interlayer
 // and polycarbonate in one layer of plates. The same strike on the section with the plain shear factor of 5/6 and on
-// one monolithic plate of the same mass shows what the layers are worth.
+// one monolithic plate of the same mass shows the effect of the layers.
 //
 //   bash examples/run windshield
 //   bash examples/run windshield bird=high
@@ -83,12 +83,12 @@ void report(const std::vector<std::pair<std::string, examples::Flight>>& flights
                .y = {.label = "displacement", .unit = "in"}}};
   for (const auto& [model, flight] : flights) {
     for (const std::string& warning : flight.warnings) std::printf("%s: %s\n", model.c_str(), warning.c_str());
-    results.add({detail::joined({model, ": largest displacement"}), flight.peaks[0], "in"});
+    results.add({model + ": largest displacement", flight.peaks[0], "in"});
     for (std::size_t k = 0; k < flight.layers.size(); ++k) {
       const auto& [strain, failed] = flight.layers[k];
-      const std::string layer = detail::joined({", layer ", std::to_string(k)});
-      if (strain > 0) results.add({detail::joined({model, ": plastic strain", layer}), strain, "1"});
-      if (failed > 0) results.add({detail::joined({model, ": failed share", layer}), failed, "1"});
+      const std::string layer = ", layer " + std::to_string(k);
+      if (strain > 0) results.add({model + ": plastic strain" + layer, strain, "1"});
+      if (failed > 0) results.add({model + ": failed share" + layer, failed, "1"});
     }
     examples::add_checks(results, flight, model + ": ");
     chart.curve(model, flight.times, flight.displacements[0]);
@@ -112,7 +112,7 @@ int main(int count, char** arguments) {
     std::vector<std::pair<std::string, examples::Flight>> flights;
     const auto fly = [&](const std::string& model, const auto& section, const auto& flesh) {
       flights.push_back({model, examples::strike_at(windshield, section, flesh, speed * examples::knot, 1e-3 * end,
-                                                    model, detail::joined({"Windshield, ", model}), {1, 2, 5})});
+                                                    model, "Windshield, " + model, {1, 2, 5})});
     };
     const auto all = [&](const auto& flesh) {
       const auto layered = laminate(EffectiveShear{.length = length / 2});

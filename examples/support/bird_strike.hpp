@@ -16,7 +16,9 @@
 #include <strike/draw.hpp>
 #include <strike/strike.hpp>
 
-// A bird that strikes a transparency: what the examples canopy and windshield share. Inches, seconds, pounds of force;
+#include "options.hpp"
+
+// A bird that strikes a transparency, for the examples canopy and windshield. Inches, seconds, pounds of force;
 // so psi and in-lbf.
 namespace examples {
 
@@ -31,7 +33,7 @@ struct Bird {
       .density = 950 * per_kg_m3, .C1 = 2.06 * psi_per_GPa, .C2 = 6.19 * psi_per_GPa, .C3 = 10.3 * psi_per_GPa};
   static constexpr strike::VonMises flesh{.shear_modulus = 2.06e-3 * psi_per_GPa, .yield_stress = 2e-5 * psi_per_GPa};
 
-  /// Fails as soon as it yields: what is left strikes node by node.
+  /// Fails as soon as it yields; the nodes of its deleted elements strike one by one.
   static auto low_strength() { return strike::Solid{water, flesh, strike::UltimateStress{0.999 * flesh.yield_stress}}; }
   /// Flows up to a plastic strain of 5.
   static auto high_strength() { return strike::Solid{water, flesh, strike::FailureStrain{5}}; }
@@ -44,7 +46,7 @@ struct Bird {
   }
 };
 
-/// What is struck: plates, which of their nodes are clamped, their thickness, and nodes whose motion is told.
+/// The target: plates, their clamped nodes, their thickness, and nodes whose motion is recorded.
 struct Transparency {
   strike::Mesh mesh;
   std::vector<strike::Index> edge;
@@ -68,7 +70,7 @@ struct Encounter {
   }
 
  private:
-  /// How far along x a point may go until it is half a thickness and a bit from a triangle of the cell.
+  /// Distance along x from a point to a triangle of the cell, less half a thickness.
   static double way_to(const Transparency& target, const std::array<strike::Index, 4>& cell, const Eigen::Vector3d& x) {
     double way = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
@@ -89,7 +91,7 @@ struct Encounter {
   }
 };
 
-/// What a strike leaves behind.
+/// Records of a strike.
 struct Flight {
   std::vector<double> times;                       ///< [ms]
   std::vector<std::vector<double>> displacements;  ///< of the watched nodes, by node and time [in]
@@ -103,7 +105,7 @@ struct Flight {
   std::vector<std::string> warnings;
 };
 
-/// What every strike must keep to.
+/// Checks of every strike.
 inline void add_checks(strike::Results& results, const Flight& flight, const std::string& of = {}) {
   results.add({of + "energy error", flight.energy_error, "1", 0, 0.02, "balance"});
   results.add({of + "impulse on the bird against its momentum", flight.impulse_error, "1", 0, 1e-9, "balance"});
@@ -111,7 +113,7 @@ inline void add_checks(strike::Results& results, const Flight& flight, const std
   results.add({of + "steps", static_cast<double>(flight.steps), "1"});
 }
 
-/// How many of some nodes are behind the plate whose middle is nearest to them, but not past its edges.
+/// Number of nodes behind the plate whose middle is nearest to them and within its edges.
 inline std::size_t passed(const strike::Mesh& plates, const std::vector<Eigen::Vector3d>& x,
                           const std::vector<strike::Index>& nodes) {
   std::size_t behind = 0;
@@ -150,7 +152,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
   Flight flight;
   flight.displacements.resize(target.watched.size()), flight.peaks.resize(target.watched.size());
   std::vector<Column> columns{{"time", "ms"}};
-  for (const auto& [place, node] : target.watched) columns.push_back({detail::joined({"displacement, ", place}), "in"});
+  for (const auto& [place, node] : target.watched) columns.push_back({"displacement, " + place, "in"});
   for (const char* energy : {"kinetic energy", "internal energy", "contact energy", "eroded energy"})
     columns.push_back({energy, "in lbf"});
   columns.push_back({"force on the bird", "lbf"});
@@ -175,7 +177,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
     history.row(row);
   };
   const auto draw = [&](double time) {
-    Picture picture{{.title = detail::joined({title, " at ", detail::text(time), " ms"}),
+    Picture picture{{.title = title + " at " + examples::text(time) + " ms",
                      .quantity = "plastic strain, mean over the thickness",
                      .from = {-1.2, -2, 0.9},
                      .length_unit = "in"}};
@@ -188,7 +190,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
     std::vector<Eigen::Vector3d> particles;
     for (const Index i : orphan_nodes(left)) particles.push_back(x[i]);
     picture.add_particles(particles);
-    picture.write(detail::joined({name, "_", detail::text(time), "ms.svg"}));
+    picture.write(name + "_" + examples::text(time) + "ms.svg");
   };
   std::size_t drawn = 0;
   const std::clock_t begin = std::clock();
@@ -203,27 +205,26 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
         if (drawn < seen.size() && 1e3 * run.time() >= seen[drawn]) draw(seen[drawn++]);
       },
       Every{end / 400, sample},
-      Every{
-          end / 40, [&] {
-            flight.passed += passed(target.mesh, run.positions(), both.bird);
-            const std::vector<bool> alive = bird.alive();
-            Mesh left = mesh;
-            left.tetrahedra = remaining(mesh.tetrahedra, alive);
-            std::vector<Field> fields;
-            const auto add = [&](const std::string& quantity, const std::vector<double>& of_bird,
-                                 const std::vector<double>& of_plates) {
-              std::vector<double> values = remaining(of_bird, alive);  // tetrahedra stand before quadrilaterals
-              values.insert(values.end(), of_plates.begin(), of_plates.end());
-              fields.push_back({quantity, values});
-            };
-            add("plastic strain", bird.field(PlasticStrain{}), panel.field(PlasticStrain{}));
-            const std::vector<double> none(bird.size());
-            for (std::size_t k = 0; k < section.layers() && section.layers() > 1; ++k) {
-              add(detail::joined({"plastic strain, layer ", std::to_string(k)}), none, panel.field(k, PlasticStrain{}));
-              add(detail::joined({"failed, layer ", std::to_string(k)}), none, panel.field(k, Failed{}));
-            }
-            film.write(run.time(), left, run.positions(), {}, fields);
-          }});
+      Every{end / 40, [&] {
+              flight.passed += passed(target.mesh, run.positions(), both.bird);
+              const std::vector<bool> alive = bird.alive();
+              Mesh left = mesh;
+              left.tetrahedra = remaining(mesh.tetrahedra, alive);
+              std::vector<Field> fields;
+              const auto add = [&](const std::string& quantity, const std::vector<double>& of_bird,
+                                   const std::vector<double>& of_plates) {
+                std::vector<double> values = remaining(of_bird, alive);  // tetrahedra stand before quadrilaterals
+                values.insert(values.end(), of_plates.begin(), of_plates.end());
+                fields.push_back({quantity, values});
+              };
+              add("plastic strain", bird.field(PlasticStrain{}), panel.field(PlasticStrain{}));
+              const std::vector<double> none(bird.size());
+              for (std::size_t k = 0; k < section.layers() && section.layers() > 1; ++k) {
+                add("plastic strain, layer " + std::to_string(k), none, panel.field(k, PlasticStrain{}));
+                add("failed, layer " + std::to_string(k), none, panel.field(k, Failed{}));
+              }
+              film.write(run.time(), left, run.positions(), {}, fields);
+            }});
   flight.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   flight.steps = run.steps(), flight.warnings = run.warnings();
   flight.impulse = contact.impulse().norm();

@@ -6,24 +6,28 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <strike/error.hpp>
-#include <strike/text.hpp>
 
 namespace examples {
 
-/// The key=value arguments of a program. Asking for a key marks it as known; `check()` refuses the rest.
+/// A number with up to six significant digits.
+inline std::string text(double number) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%g", number);
+  return digits;
+}
+
+/// The key=value arguments of a program. Reading a key marks it as known; `check()` refuses the rest.
 class Options {
  public:
   Options(int count, char** arguments) {
     for (int i = 1; i < count; ++i) {
-      const std::string_view argument = arguments[i];
+      const std::string argument = arguments[i];
       const std::size_t equals = argument.find('=');
-      if (equals == std::string_view::npos)
-        throw strike::Error(strike::detail::joined({"Argument '", argument, "' is not of the form key=value."}));
-      given_.insert_or_assign(std::string(argument.substr(0, equals)), std::string(argument.substr(equals + 1)));
+      if (equals == std::string::npos) throw strike::Error("Argument '" + argument + "' is not of the form key=value.");
+      given_.insert_or_assign(argument.substr(0, equals), argument.substr(equals + 1));
     }
   }
 
@@ -32,40 +36,39 @@ class Options {
     return text ? *text : otherwise;
   }
   double number(const std::string& key, double otherwise) {
-    const std::string* text = find(key, strike::detail::text(otherwise));
+    const std::string* text = find(key, examples::text(otherwise));
     if (!text) return otherwise;
     double value = 0;
     const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
     if (error != std::errc{} || end != text->data() + text->size())
-      throw strike::Error(strike::detail::joined({"'", key, "=", *text, "' is not a number."}));
+      throw strike::Error("'" + key + "=" + *text + "' is not a number.");
     return value;
   }
   unsigned count(const std::string& key, unsigned otherwise) {
     const double value = number(key, otherwise);
     if (!(value >= 1 && value <= 1e6 && value == static_cast<unsigned>(value)))
-      throw strike::Error(strike::detail::joined({"'", key, "' must be a whole number from 1 to 1000000."}));
+      throw strike::Error("'" + key + "' must be a whole number from 1 to 1000000.");
     return static_cast<unsigned>(value);
   }
-  /// One of some words, the first if none is given.
+  /// One of the words; the first if the key is not given.
   std::string choice(const std::string& key, const std::vector<std::string>& words) {
     const std::string* text = find(key, words.front());
     if (!text) return words.front();
     if (std::find(words.begin(), words.end(), *text) == words.end()) {
       std::string list;
-      for (const std::string& word : words) list += strike::detail::joined({list.empty() ? "" : ", ", word});
-      throw strike::Error(strike::detail::joined({"'", key, "=", *text, "' is not known; choose one of ", list, "."}));
+      for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+      throw strike::Error("'" + key + "=" + *text + "' is not known; choose one of " + list + ".");
     }
     return *text;
   }
 
-  /// Error: a key was given that nobody asked for; the sentence lists those that there are.
+  /// Error: a key that the program does not read; the sentence lists the keys that it does.
   void check() const {
     for (const auto& [key, value] : given_)
       if (!known_.contains(key)) {
         std::string keys;
-        for (const auto& [name, usual] : known_)
-          keys += strike::detail::joined({keys.empty() ? "" : ", ", name, "=", usual});
-        throw strike::Error(strike::detail::joined({"There is no option '", key, "'; there are ", keys, "."}));
+        for (const auto& [name, usual] : known_) keys += (keys.empty() ? "" : ", ") + name + "=" + usual;
+        throw strike::Error("There is no option '" + key + "'; there are " + keys + ".");
       }
   }
 

@@ -29,7 +29,7 @@ struct Shape {
   double length, foot_radius, plastic_strain;
 };
 
-/// What is left of a quarter of the bar after 80 microseconds.
+/// Figures of a quarter of the bar after 80 microseconds.
 Shape struck(const Mesh& bar) {
   Explicit run{Scene{bar.nodes, Part{Hex8{}, copper, bar.hexahedra}, InitialVelocity{{0, 0, -speed}},
                      Symmetry{Axis::x, nodes_where(bar.nodes, on_plane(Axis::x, 0))},

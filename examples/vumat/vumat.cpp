@@ -11,6 +11,7 @@
 #include "copper_vumat.h"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

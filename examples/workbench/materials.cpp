@@ -1,4 +1,4 @@
-// A material point under strain, stress and mixed control. What is expected is a formula.
+// A material point under strain, stress and mixed control. The expected values are formulas.
 #include <cmath>
 
 #include <strike/material.hpp>
@@ -6,6 +6,7 @@
 #include "studies.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 void study_materials(Workbench& bench, double strain, double rate) {
   const LinearEos eos{.density = density, .bulk_modulus = K};
@@ -14,7 +15,7 @@ void study_materials(Workbench& bench, double strain, double rate) {
   const RateVonMises law{
       .shear_modulus = G, .yield_stress = Y, .hardening_modulus = H, .rate_factor = 0.111, .rate_exponent = 0.25};
 
-  // Where it flows, the axial stress is the flow stress.
+  // While it flows, the axial stress is the flow stress.
   const auto flow_stress = [](const auto& record) {
     const double e = record.state.equivalent_plastic_strain;
     return e > 0 ? Y + H * e : NAN;

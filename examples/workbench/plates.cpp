@@ -7,6 +7,7 @@
 #include "studies.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 void study_plates(Workbench& bench) {
   const Elastic copper{density, 9 * K * G / (3 * K + G), (3 * K - 2 * G) / (2 * (3 * K + G))};

@@ -9,6 +9,7 @@
 #include "studies.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 void study_solids(Workbench& bench) {
   const Solid copper{LinearEos{.density = density, .bulk_modulus = K},

@@ -16,7 +16,7 @@ int main(int count, char** arguments) {
     const double strain = options.number("strain", 0.2), rate = options.number("rate", 1);
     options.check();
 
-    strike::Workbench bench;  // writes into the present folder
+    strike::verify::Workbench bench;  // writes into the present folder
     if (study == "all" || study == "materials") study_materials(bench, strain, rate);
     if (study == "all" || study == "solids") study_solids(bench);
     if (study == "all" || study == "plates") study_plates(bench);

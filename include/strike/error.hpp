@@ -5,8 +5,7 @@
 
 namespace strike {
 
-/// What a user did wrong or what went wrong in a run, as one sentence: what, which thing (its number and place), what
-/// to do.
+/// A mistake of the user or a fault of a run, in one sentence: what is wrong, where (by number and place), what to do.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -40,13 +40,18 @@ inline constexpr bool answers =
 template <class Function, class Model, class... Arguments>
 inline constexpr bool nearly = HasName<Function, std::remove_cv_t<Model>> && !answers<Function, Model, Arguments...>;
 
-/// The model has a member of the name that cannot be called so, and that is there: a wrapper whose `requires` takes away
-/// a function that the wrapped law lacks is sound. Of a template `Function::Specialised` names an instance.
+/// The member of the name is a number: a load may have the times `begin` and `end`.
+template <class Function, class Model>
+inline constexpr bool is_number =
+    requires { requires std::is_member_object_pointer_v<typename Function::template Member<Model>>; };
+
+/// The model has a member of the name that cannot be called so, and that is there: a wrapper whose `requires` takes
+/// away a function that the wrapped law lacks is sound. Of a template `Function::Specialised` names an instance.
 template <class Function, class Model, class... Arguments>
-inline constexpr bool misfits =
-    nearly<Function, Model, Arguments...> &&
-    (requires { typename Function::template Member<std::remove_cv_t<Model>>; } ||
-     requires { typename Function::template Specialised<std::remove_cv_t<Model>>; });
+inline constexpr bool misfits = nearly<Function, Model, Arguments...> &&
+                                (
+                                    requires { typename Function::template Member<std::remove_cv_t<Model>>; } ||
+                                    requires { typename Function::template Specialised<std::remove_cv_t<Model>>; });
 
 /// Calls the function if the model has it.
 template <class Function, class Model, class... Arguments>

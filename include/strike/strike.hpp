@@ -1,5 +1,5 @@
 #pragma once
-// Everything that a scene needs. Beside it stand <strike/draw.hpp>, <strike/input.hpp>, <strike/verify.hpp>,
+// All that a scene needs. Beside it stand <strike/draw.hpp>, <strike/input.hpp>, <strike/verify.hpp>,
 // <strike/calibrate.hpp>: included by the programs that use them.
 #include <strike/contact.hpp>
 #include <strike/dynamics.hpp>

@@ -17,7 +17,7 @@ namespace strike::detail {
   return whole;
 }
 
-/// What the compiler calls a type, among other words.
+/// The name of a type, among other words of the compiler.
 template <class T>
 constexpr std::string_view name_of() {
   return __PRETTY_FUNCTION__;

@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::calibrate;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {

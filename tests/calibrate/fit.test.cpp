@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::calibrate;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -55,7 +56,7 @@ TEST_CASE("fit: exact data give the parameters back") {
       [](const auto& p) {
         return std::vector{p[0] + p[1] + 1, p[0] - p[1], p[0] - 1.5};
       },
-      {{"a", 1, Range::any}, {"b", 1, Range::any}});
+      {{"a", 1, Sign::any}, {"b", 1, Sign::any}});
   // mean 1.5 - 2 of (-1, 0, 1.5) with slopes (1, 1), (1, -1), (1, 0)
   CHECK(line.parameters[0] == Approx(0.5 / 3).epsilon(1e-9));
   CHECK(line.parameters[1] == Approx(-0.5).epsilon(1e-9));

@@ -25,6 +25,8 @@
 
 namespace strike::testing {
 
+using namespace strike::verify;
+
 /// The corners of an undistorted element of n nodes and unit size.
 template <int n>
 Nodal<double, n> reference_corners() {
@@ -383,7 +385,7 @@ template <class E>
 void passes_the_patch_test(const E& element, Shapes<8> shapes, const Eigen::Vector3d& stretch = Eigen::Vector3d::Ones(),
                            double tolerance = 1e-12) {
   for (int trial = 0; trial < 5; ++trial) {
-    Patch<8> patch = hexahedra_patch((0.4 * (unit_cube().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal());
+    PatchMesh<8> patch = hexahedra_patch((0.4 * (unit_cube().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal());
     patch.nodes = stretch.asDiagonal() * patch.nodes.eval();
     Eigen::Matrix3d L = 1e-3 * shapes.matrix();
     L += (1e-3 - L.trace() / 3) * Eigen::Matrix3d::Identity();  // no compression: bulk viscosity depends on the size

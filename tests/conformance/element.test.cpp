@@ -7,6 +7,7 @@
 #include "output/scratch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using testing::conforms;
 using testing::FiniteRotations;
 

@@ -22,6 +22,8 @@
 
 namespace strike::testing {
 
+using namespace strike::verify;
+
 /// The steps in which a material is driven: strains at which it does what it is made for.
 struct Drive {
   double strain = 1e-3;  ///< largest component of a step

@@ -14,6 +14,8 @@
 
 namespace strike::testing {
 
+using namespace strike::verify;
+
 /// Distorted quadrilaterals, warped or plane.
 class Quadrilaterals : public Shapes<4> {
  public:
@@ -278,7 +280,8 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
   const auto balance = [&](const auto& nodal) { CHECK(nodal.rightCols(4).norm() <= tolerance * nodal.norm()); };
 
   for (int trial = 0; trial < 5; ++trial) {
-    Patch<4> patch = quadrilaterals_patch((0.4 * (unit_square().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal());
+    PatchMesh<4> patch =
+        quadrilaterals_patch((0.4 * (unit_square().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal());
     patch.nodes.row(2).setZero();
     const Eigen::Matrix3d turn = shapes.turn();
     const Vectors X = turn * patch.nodes;

@@ -101,9 +101,10 @@ TEST_CASE("chart: references and points are drawn and named, a long history stay
 
 TEST_CASE("chart: x and y of different length, values off a logarithmic axis, and nothing to draw are errors") {
   Chart chart{{.title = "empty", .y = {.scale = Scale::logarithmic}}};
-  CHECK_THROWS_WITH(chart.svg(), "The chart 'empty' has no curve: add one first.");
+  CHECK_THROWS_WITH(chart.svg(), "strike: the Chart 'empty' has no curve: add one first.");
   CHECK_THROWS_WITH(chart.curve("a", std::vector<double>{1, 2}, std::vector<double>{1}),
-                    "Curve 'a' has 2 x and 1 y: give as many of both.");
-  CHECK_THROWS_WITH(chart.points("b", {1, 2}, {1, -0.5}),
-                    "Point 1 of curve 'b' at (2, -0.5) is not on a logarithmic axis: give positive values.");
+                    "strike: the curve 'a' has 2 x and 1 y: give as many of both.");
+  CHECK_THROWS_WITH(
+      chart.points("b", {1, 2}, {1, -0.5}),
+      "strike: point 1 of the curve 'b' at (2, -0.5) is not on a logarithmic axis: give positive values.");
 }

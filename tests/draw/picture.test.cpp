@@ -26,7 +26,7 @@ TEST_CASE("picture: a quadrilateral is seen from behind only if both sides are a
   const std::vector<Face> faces = quadrilateral_surface({{0, 1, 2, 3}});
   Picture behind{{.from = {0, 0, -1}}};
   behind.add(faces, nodes);
-  CHECK_THROWS_WITH(behind.svg(), "The picture '' shows no face: add a surface first.");
+  CHECK_THROWS_WITH(behind.svg(), "strike: the Picture '' shows no face: add a surface first.");
   behind.add(faces, nodes, {}, Sides::both);
   CHECK(count_of(behind.svg(), "<path") == 1);
 }
@@ -98,9 +98,9 @@ TEST_CASE("picture: values and positions that do not fit are errors") {
   const Mesh mesh = box({.size = {2, 1, 1}, .cells = {2, 1, 1}});
   Picture picture{{}};
   CHECK_THROWS_WITH(picture.add(surface(mesh), mesh.nodes, std::vector<double>{1}),
-                    "Cell 1 has no value among 1: give one value for each cell.");
+                    "strike: cell 1 has no value among 1: give one value for each cell.");
   CHECK_THROWS_WITH(picture.add(surface(mesh), std::span(mesh.nodes).first(4)),
-                    "A face of cell 0 names a node beyond the 4 positions: give the positions of all nodes.");
+                    "strike: a face of cell 0 names a node beyond the 4 positions: give the positions of all nodes.");
   CHECK_THROWS_WITH((Picture{{.from = {0, 0, 0}}}),
-                    "A picture needs a direction to the eye and one upward: give vectors that are not zero.");
+                    "strike: a Picture needs a direction to the eye and one upward: give vectors that are not zero.");
 }

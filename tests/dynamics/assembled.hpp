@@ -11,6 +11,8 @@
 
 namespace strike::testing {
 
+using namespace strike::verify;
+
 /// A solid that answers by its elastic moduli, whatever it has yielded.
 template <class M>
 struct Unyielding : M {

@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 
@@ -59,7 +60,8 @@ Seen watch(Run& run, double end, std::size_t steps, std::size_t every) {
 
 TEST_CASE("the largest eigenvalue of the chain of n springs, 2 + 2 cos(pi/(n + 1)), from above") {
   for (const std::size_t n : {1u, 2u, 5u, 100u}) {
-    const double found = detail::largest_eigenvalue(std::vector<double>(n, 2.0), std::vector<double>(n - 1, -1.0));
+    const double found =
+        strike::detail::largest_eigenvalue(std::vector<double>(n, 2.0), std::vector<double>(n - 1, -1.0));
     const double exact = 2 + 2 * std::cos(std::numbers::pi / static_cast<double>(n + 1));
     CHECK(found >= exact * (1 - 1e-15));
     CHECK(found <= exact * (1 + 2e-12));
@@ -72,18 +74,18 @@ TEST_CASE("so many steps of Lanczos's iteration as the probability of failure as
       const auto failure = [&](double k) {
         return 1.648 * std::sqrt(static_cast<double>(n)) * std::exp(-std::sqrt(deviation) * (2 * k - 1));
       };
-      const auto steps = static_cast<double>(detail::lanczos_steps(n, deviation, 1e-9));
+      const auto steps = static_cast<double>(strike::detail::lanczos_steps(n, deviation, 1e-9));
       CHECK(failure(steps) <= 1e-9);
       CHECK(failure(steps - 1) > 1e-9);
     }
-  CHECK(detail::lanczos_steps(24, 0.001, 1e-9) == 24);  // there are no more directions
+  CHECK(strike::detail::lanczos_steps(24, 0.001, 1e-9) == 24);  // there are no more directions
 }
 
 TEST_CASE("random numbers have the moments of the normal distribution") {
   double sums[5]{};
   constexpr int n = 100000;
   for (int i = 0; i < n; ++i) {
-    const double x = detail::random_normal(static_cast<std::uint64_t>(i));
+    const double x = strike::detail::random_normal(static_cast<std::uint64_t>(i));
     for (int k = 1; k < 5; ++k) sums[k] += std::pow(x, k) / n;
   }
   CHECK(sums[1] == Approx(0).margin(5 / std::sqrt(n)));  // 5 standard deviations of each

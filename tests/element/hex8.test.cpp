@@ -5,6 +5,7 @@
 #include "element/nodal_hex8.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 TEST_CASE("Hex8 gives the forces of Flanagan and Belytschko: sigma B + a gamma (gamma . v)") {
   testing::Shapes<8> shapes(12);

@@ -4,6 +4,7 @@
 #include "conformance/element.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

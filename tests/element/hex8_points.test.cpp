@@ -4,6 +4,7 @@
 #include "element/nodal_hex8.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

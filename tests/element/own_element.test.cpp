@@ -10,6 +10,7 @@
 #include "examples/own_element/truss.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 static_assert(Element<Truss, Wire> && Material<Wire> && !Element<Truss>);
 

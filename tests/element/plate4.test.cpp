@@ -3,6 +3,7 @@
 #include "conformance/plate.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 TEST_CASE("Plate4 gives the forces and moments of Belytschko, Lin and Tsay on a plane quadrilateral") {
   testing::Quadrilaterals shapes(31);

@@ -5,6 +5,7 @@
 #include "conformance/element.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "problems/free_tetrahedra.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using testing::conforms;
 using testing::FiniteRotations;
 

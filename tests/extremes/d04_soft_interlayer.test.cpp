@@ -7,6 +7,7 @@
 #include "support/lay_ups.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using namespace strike::testing;
 
 TEST_CASE("D4: the shear force of a soft interlayer is K gamma to 1e-10, and it bends as exact elasticity when cured") {

@@ -6,6 +6,7 @@
 #include "conformance/plate.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

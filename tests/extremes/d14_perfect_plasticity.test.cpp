@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 Solid<LinearEos, VonMises> steel(double H) {

@@ -4,6 +4,7 @@
 #include "conformance/plate.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "conformance/plate.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -59,7 +60,7 @@ TEST_CASE("D19: one that is folded shut is refused, and one that folds ends its 
   Nodal<double, 4> shut = unit_square();
   shut.col(2) = shut.col(0);
   CHECK_THROWS_WITH((SingleElement{Plate4{}, testing::elastic_plate, shut}),
-                    "The single element has no positive mass; its corners are in the wrong order or coincide.");
+                    "strike: the SingleElement has no positive mass: give its corners in the right order, none twice.");
 
   const Mesh mesh = rectangle({.size = {1, 1}});
   const auto angle = [](double t) { return std::numbers::pi * t / 20; };

@@ -8,6 +8,7 @@
 #include "conformance/plate.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 Nodal<double, 4> triangle() {

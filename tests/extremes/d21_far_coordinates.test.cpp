@@ -10,6 +10,7 @@
 #include "conformance/plate.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

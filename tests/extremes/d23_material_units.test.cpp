@@ -14,6 +14,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

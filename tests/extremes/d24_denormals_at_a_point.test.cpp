@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 constexpr Elastic solid{.density = 1, .youngs_modulus = 2.6, .poissons_ratio = .3};  // G = 1

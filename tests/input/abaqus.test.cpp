@@ -79,7 +79,7 @@ TEST_CASE("abaqus: parts are placed by instances, with their sets") {
 
 TEST_CASE("abaqus: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(text), ContainsSubstring("File 'a.inp', line ") && ContainsSubstring(sentence));
+    CHECK_THROWS_WITH(read(text), ContainsSubstring("strike: the file 'a.inp', line ") && ContainsSubstring(sentence));
   };
   refused("", "the file has no keyword");
   refused("*INCLUDE, INPUT=b.inp\n", "line 1: *INCLUDE is not followed: put the text of that file here.");

@@ -104,7 +104,7 @@ both
 
 TEST_CASE("dyna: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(text), ContainsSubstring("File 'a.k', line ") && ContainsSubstring(sentence));
+    CHECK_THROWS_WITH(read(text), ContainsSubstring("strike: the file 'a.k', line ") && ContainsSubstring(sentence));
   };
   refused("", "the file has no keyword");
   refused("hello\n", "line 1: 'hello' stands before any keyword: begin the file with *KEYWORD.");

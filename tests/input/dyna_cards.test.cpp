@@ -124,15 +124,16 @@ $       ro         g         e        pr
                          });
 
   CHECK_THROWS_WITH(deck.material<Elastic>("steel"),
-                    "The material 4 of part 'steel' is *MAT_JOHNSON_COOK, not what was asked for: ask for that.");
+                    "strike: the material 4 of part 'steel' is *MAT_JOHNSON_COOK: read it as that card.");
   CHECK_THROWS_WITH(deck.eos<PolynomialEos>(4),
-                    "The equation of state 7 of part 4 is *EOS_GRUNEISEN, not what was asked for: ask for that.");
+                    "strike: the equation of state 7 of part 4 is *EOS_GRUNEISEN: read it as that card.");
   CHECK_THROWS_WITH(deck.eos<PolynomialEos>("glass"),
-                    "Part 'glass' names the equation of state 0, which the deck does not have or the reader skipped: "
-                    "see its warnings.");
-  CHECK_THROWS_WITH(deck.section("glass"), ContainsSubstring("names the section 1, which the deck does not have"));
-  CHECK_THROWS_WITH(deck.hourglass("wood"), ContainsSubstring("No *PART is called 'wood': there are 'glass', 'metal'"));
-  CHECK_THROWS_WITH(deck.hourglass(9), ContainsSubstring("No *PART has the number 9"));
+                    "strike: part 'glass' names the equation of state 0, which is not in the deck or was skipped: "
+                    "read its warnings.");
+  CHECK_THROWS_WITH(deck.section("glass"), ContainsSubstring("names the section 1, which is not in the deck"));
+  CHECK_THROWS_WITH(deck.hourglass("wood"),
+                    ContainsSubstring("strike: no *PART is called 'wood': give one of 'glass', 'metal'"));
+  CHECK_THROWS_WITH(deck.hourglass(9), ContainsSubstring("strike: no *PART has the number 9"));
 }
 
 TEST_CASE("dyna cards: sections, hourglass control and control cards") {
@@ -281,7 +282,8 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 
 TEST_CASE("dyna cards: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(two + text), ContainsSubstring("File 'a.k', line ") && ContainsSubstring(sentence));
+    CHECK_THROWS_WITH(read(two + text),
+                      ContainsSubstring("strike: the file 'a.k', line ") && ContainsSubstring(sentence));
   };
   refused("*MAT_ELASTIC\n1,0,1\n", "line 12: RO is not positive: give the material its RO.");
   refused("*MAT_ELASTIC\n1,1\n", "line 12: E is not positive");

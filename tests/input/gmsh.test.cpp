@@ -64,7 +64,7 @@ TEST_CASE("gmsh: version 4.1 with entities in two groups and parametric nodes") 
 
 TEST_CASE("gmsh: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(text), ContainsSubstring("File 'a.msh', line ") && ContainsSubstring(sentence));
+    CHECK_THROWS_WITH(read(text), ContainsSubstring("strike: the file 'a.msh', line ") && ContainsSubstring(sentence));
   };
   refused("", "the file is empty");
   refused("solid ascii\n", "line 1: 'solid ascii' stands in no section");

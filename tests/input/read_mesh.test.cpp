@@ -44,7 +44,7 @@ TEST_CASE("read mesh: a cylinder comes back from every format to the last bit") 
 TEST_CASE("read mesh: a file that cannot be read is refused in a sentence") {
   const ScratchFolder folder("read-mesh-errors");
   CHECK_THROWS_WITH(read_mesh("bar.stl"),
-                    "File 'bar.stl' has an ending that is not read: give a .msh (gmsh), an .inp "
+                    "strike: the file 'bar.stl' has an ending that is not read: give a .msh (gmsh), an .inp "
                     "(Abaqus) or a .k (LS-DYNA).");
   CHECK_THROWS_WITH(read_mesh(folder / "no.msh"), ContainsSubstring("cannot be opened for reading"));
   std::filesystem::create_directory(folder / "folder.inp");
@@ -53,17 +53,16 @@ TEST_CASE("read mesh: a file that cannot be read is refused in a sentence") {
 
 TEST_CASE("read mesh: what a deck does not have is refused with what it has") {
   Deck deck;
-  CHECK_THROWS_WITH(deck.part("bird"), "No part is called 'bird': there are none.");
+  CHECK_THROWS_WITH(deck.part("bird"), "strike: no part is called 'bird': the deck has none.");
   deck.parts = {{3, "bird", {}}, {4, "", {}}, {4, "plate", {}}};
-  CHECK_THROWS_WITH(deck.part("brid"), "No part is called 'brid': there are 'bird', 4, 'plate'.");
-  CHECK_THROWS_WITH(deck.part(7), "No part has the number 7: there are 'bird', 4, 'plate'.");
-  CHECK_THROWS_WITH(
-      deck.part(4),
-      "What is asked for is both 4 '' and 4 'plate': ask by what tells them apart, the name or the number.");
+  CHECK_THROWS_WITH(deck.part("brid"), "strike: no part is called 'brid': give one of 'bird', 4, 'plate'.");
+  CHECK_THROWS_WITH(deck.part(7), "strike: no part has the number 7: give one of 'bird', 4, 'plate'.");
+  CHECK_THROWS_WITH(deck.part(4),
+                    "strike: the name or number names both 4 '' and 4 'plate': give the one that tells them apart.");
   deck.parts.push_back({5, "bird", {}});
   CHECK_THROWS_WITH(deck.part("bird"), ContainsSubstring("is both 3 'bird' and 5 'bird'"));
-  CHECK_THROWS_WITH(deck.nodes("foot"), "No set of nodes is called 'foot': there are none.");
-  CHECK_THROWS_WITH(deck.nodes(1), "No set of nodes has the number 1: there are none.");
+  CHECK_THROWS_WITH(deck.nodes("foot"), "strike: no set of nodes is called 'foot': the deck has none.");
+  CHECK_THROWS_WITH(deck.nodes(1), "strike: no set of nodes has the number 1: the deck has none.");
 }
 
 TEST_CASE("read mesh: numbers are written in the ways of C and Fortran") {

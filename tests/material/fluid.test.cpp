@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 static_assert(SolidMaterial<Fluid<CubicEos>> && SolidMaterial<Fluid<IdealGas, Newtonian>>);
 

@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 
@@ -95,14 +96,18 @@ TEST_CASE("solid: pressure comes from the volume alone, shear from the shape alo
   CHECK(-trace(point.now().stress) / 3 == Approx(p).epsilon(1e-13));
 }
 
+namespace {
+/// Relaxes by a tenth a step.
+struct Maxwell {
+  double shear_modulus;
+  template <class T>
+  SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>& d) const {
+    return T(0.9) * (s + T(2 * shear_modulus) * d);
+  }
+};
+}  // namespace
+
 TEST_CASE("solid: a strength of one's own that is no flow law") {
-  struct Maxwell {  // relaxes by a tenth a step
-    double shear_modulus;
-    SymmetricTensor<double> deviatoric_stress(const SymmetricTensor<double>& s,
-                                              const SymmetricTensor<double>& d) const {
-      return 0.9 * (s + (2 * shear_modulus) * d);
-    }
-  };
   MaterialPoint point{Solid{LinearEos{.density = 1, .bulk_modulus = 3}, Maxwell{2}}};
   Matrix3<double> L = Matrix3<double>::Zero();
   L(0, 1) = 0.1;

@@ -14,6 +14,7 @@
 #include "examples/vumat/copper_vumat.h"
 
 using namespace strike;
+using namespace strike::verify;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using Rate = PlaneStressKinematics::Rate<double>;
 
 namespace {

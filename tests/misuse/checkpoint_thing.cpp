@@ -1,4 +1,4 @@
-// expect: a thing of this Scene does not tell a checkpoint what it remembers
+// expect: an item of this Scene has no function serialize for a checkpoint
 #include <strike/strike.hpp>
 
 using namespace strike;

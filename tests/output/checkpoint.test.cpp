@@ -159,7 +159,7 @@ TEST_CASE("checkpoint: what is not whole, foreign or of another scene is refused
   CHECK(refusal() == "none");
   for (const std::size_t size : {std::size_t{24}, std::size_t{30}, std::size_t{1} << 20, whole.size() - 1}) {
     put(whole.substr(0, size));
-    CHECK_THAT(refusal(), ContainsSubstring("is cut short or damaged; take an older one, or begin anew."));
+    CHECK_THAT(refusal(), ContainsSubstring("is cut short or damaged; take an older one, or start anew."));
   }
   std::string damaged = whole;
   damaged[whole.size() / 2] ^= 1;

@@ -36,6 +36,24 @@ TEST_CASE("Rows: a stride skips the padding, also when the last row has none") {
   CHECK(Rows(std::span(padded).first(7), 3, 4).size() == 2);
   CHECK(Rows(std::span(padded).first(0), 3, 4).size() == 0);
   CHECK_THROWS_WITH(Rows(padded, 3, 2),
-                    "Rows of 3 numbers cannot begin 2 apart: give at least one number a row and a "
+                    "strike: rows of 3 numbers cannot start 2 apart: give at least one number a row and a "
                     "stride that holds it.");
+}
+
+TEST_CASE("Field: keeps its numbers when the vector that it was made from is gone") {
+  std::vector<Field> fields;
+  const auto add = [&](const std::string& name, double value) {
+    const std::vector<double> numbers(1000, value);
+    const std::vector<Eigen::Vector3d> vectors(1000, Eigen::Vector3d::Constant(value));
+    fields.push_back({name, numbers});
+    fields.push_back({name, vectors});
+    fields.push_back({name, std::vector<double>(1000, value)});
+    fields.push_back({name, {std::vector<double>(4000, value), 3, 4}});
+  };
+  for (int i = 0; i < 3; ++i) add("number", i);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    CHECK(fields[k].rows.size() == 1000);
+    for (std::size_t row : {std::size_t{0}, std::size_t{999}})
+      for (const double number : fields[k].rows[row]) CHECK(number == static_cast<double>(k / 4));
+  }
 }

@@ -19,14 +19,15 @@ TEST_CASE("a file that cannot be written is an error in one sentence") {
   const ScratchFolder folder("file-error");
   std::filesystem::create_directories(folder / "taken");
   CHECK_THROWS_WITH(detail::OutputFile(folder / "taken"),
-                    "File '" + (folder / "taken") +
+                    "strike: the file '" + (folder / "taken") +
                         "' cannot be opened for writing: choose a path in a folder that you may write to.");
   std::filesystem::create_directories(folder / "full/inside");
   CHECK_THROWS_WITH(detail::replace_file(folder / "full", "x"),
                     Catch::Matchers::ContainsSubstring("cannot be replaced"));
   if (std::filesystem::exists("/dev/full"))  // a device on which every write fails
-    CHECK_THROWS_WITH(detail::OutputFile("/dev/full").write("x"),
-                      "File '/dev/full' cannot be written to the end: make room on its disk and run again.");
+    CHECK_THROWS_WITH(
+        detail::OutputFile("/dev/full").write("x"),
+        "strike: the file '/dev/full' cannot be written to the end: make room on its disk and run again.");
 }
 
 TEST_CASE("csv_escaped follows RFC 4180") {

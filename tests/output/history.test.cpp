@@ -65,11 +65,11 @@ TEST_CASE("history: a row of another length and a path that cannot be are errors
   const ScratchFolder folder("history-error");
   History history{folder / "h.csv", {{"t", "s"}, {"x", "m"}}};
   history.row(1, 2);
-  CHECK_THROWS_WITH(history.row(1), "History '" + (folder / "h.csv") +
+  CHECK_THROWS_WITH(history.row(1), "strike: the History '" + (folder / "h.csv") +
                                         "' has 2 columns, but row 1 brings 1 values: give one for each column.");
   CHECK(content_of(folder / "h.csv") == "t [s],x [m]\n1,2\n");  // what was written stays
   CHECK_THROWS_WITH((History{folder / "h.csv/x.csv", {{"t"}}}),
                     Catch::Matchers::ContainsSubstring("cannot be opened for writing"));
   CHECK_THROWS_WITH((History{folder / "n.csv", {}}),
-                    "History '" + (folder / "n.csv") + "' has no columns: name at least one.");
+                    "strike: the History '" + (folder / "n.csv") + "' has no columns: name at least one.");
 }

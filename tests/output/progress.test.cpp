@@ -33,7 +33,8 @@ TEST_CASE("progress: percent, time, step, error, and the last line at the end, a
   }
   const std::string text = content_of(file.get());
   CHECK(text.find("\r\033[K 25 %  t = 20 of 80 us  step 1000  dt = 0.02  energy error 0.05 %") == 0);
-  CHECK(text.find("100 %  t = 80 of 80 us  step 4000  dt = 0.02  energy error 0.07 %  0 s in all\n") != std::string::npos);
+  CHECK(text.find("100 %  t = 80 of 80 us  step 4000  dt = 0.02  energy error 0.07 %  0 s in all\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("progress: nothing at all where no person looks") {

@@ -104,11 +104,11 @@ TEST_CASE("vtu: numbers of rows that do not fit are errors") {
   const std::vector<double> two{1, 2};
   const std::string path = folder / "a.vtu";
   CHECK_THROWS_WITH(write_vtu(path, 0, mesh, mesh.nodes, {{"v", two}}),
-                    "Field 'v' has 2 rows for 8 nodes: give one row for each.");
+                    "strike: the field 'v' has 2 rows for 8 nodes: give one row for each.");
   CHECK_THROWS_WITH(write_vtu(path, 0, mesh, mesh.nodes, {}, {{"s", two}}),
-                    "Field 's' has 2 rows for 1 cells: give one row for each.");
+                    "strike: the field 's' has 2 rows for 1 cells: give one row for each.");
   CHECK_THROWS_WITH(write_vtu(path, 0, mesh, two),
-                    "VTU file '" + path +
+                    "strike: the VTU file '" + path +
                         "' needs 3 coordinates for each of 8 nodes, but got 2 rows of 1: "
                         "give the positions of the nodes of the mesh.");
   CHECK_FALSE(std::filesystem::exists(path));

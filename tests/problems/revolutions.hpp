@@ -9,6 +9,8 @@
 
 namespace strike::revolutions {
 
+using namespace strike::verify;
+
 inline constexpr double E = 1;
 inline constexpr Elastic unit_solid{.density = 1, .youngs_modulus = E};  // stress = E strain in every direction
 

@@ -12,6 +12,7 @@
 #include "support/lay_ups.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using namespace strike::testing;
 
 namespace {

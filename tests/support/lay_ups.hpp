@@ -9,6 +9,8 @@
 
 namespace strike::testing {
 
+using namespace strike::verify;
+
 /// Two faces and a core whose modulus is a share of theirs, as a strip under half a wave; mm, MPa, t.
 struct Sandwich {
   const char* name;

@@ -1,7 +1,6 @@
 #pragma once
-// The headers of the standard library and of Eigen that strike includes, precompiled for the tests and for the check that
-// each header of strike includes the others that it needs.
-#include <Eigen/Dense>
+// The headers of the standard library and of Eigen that strike includes, precompiled for the tests and for the check
+// that each header of strike includes the others that it needs.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -32,8 +31,11 @@
 #include <system_error>
 #include <tuple>
 #include <type_traits>
-#include <unsupported/Eigen/LevenbergMarquardt>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include <Eigen/Dense>
+
+#include <unsupported/Eigen/LevenbergMarquardt>
+#include <unsupported/Eigen/MatrixFunctions>

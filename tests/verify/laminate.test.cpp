@@ -9,6 +9,7 @@
 #include "support/lay_ups.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using namespace strike::testing;
 
 namespace {

@@ -9,6 +9,7 @@
 #include "conformance/element.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 const Elastic material{.density = 2, .youngs_modulus = 3, .poissons_ratio = 0.25};
@@ -73,7 +74,7 @@ TEST_CASE("a single element says what is wrong with its corners") {
   Nodal<double, 8> inside_out = unit_cube();
   inside_out.row(2) *= -1;
   CHECK_THROWS_WITH((SingleElement{Hex8{}, material, inside_out}),
-                    "The single element has no positive mass; its corners are in the wrong order or coincide.");
+                    "strike: the SingleElement has no positive mass: give its corners in the right order, none twice.");
 }
 
 TEST_CASE("the history of a single element is written as CSV") {

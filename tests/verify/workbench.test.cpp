@@ -15,6 +15,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {

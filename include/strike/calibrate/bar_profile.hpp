@@ -9,10 +9,10 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/text.hpp>
 
-namespace strike {
+namespace strike::calibrate {
 
 /// The shape of a round bar along z: the rings of nodes of its mantle, from its foot on, by their mean height and
-/// radius. T is a double, or what carries derivatives.
+/// radius. T: double or Dual.
 template <class T>
 struct BarProfile {
   struct Ring {
@@ -60,4 +60,4 @@ BarProfile<typename N::Number> bar_profile(const Mesh& bar, const N& nodes) {
   return profile;
 }
 
-}  // namespace strike
+}  // namespace strike::calibrate

@@ -19,25 +19,25 @@
 
 #include <unsupported/Eigen/LevenbergMarquardt>
 
-namespace strike {
+namespace strike::calibrate {
 
-/// Range of a parameter. A positive one is searched by its logarithm.
-enum class Range { positive, any };
+/// Sign of a parameter. A positive one is searched by its logarithm.
+enum class Sign { positive, any };
 
-/// A parameter to be found.
+/// A parameter to fit.
 struct Unknown {
   std::string name;
-  double start;  ///< the first guess; not 0 for it also is the scale
-  Range range = Range::positive;
+  double start;  ///< the first guess, also the scale: not 0
+  Sign sign = Sign::positive;
 };
 
 struct FitOptions {
   double tolerance = 1e-8;       ///< of the parameters and of the sum of squares, relative
-  std::size_t evaluations = 50;  ///< at most so many
+  std::size_t evaluations = 50;  ///< largest number
   double confidence = 0.95;      ///< the probability of the intervals
 };
 
-/// Why a fit stopped.
+/// Reason for which a fit has stopped.
 enum class FitEnd { converged, evaluations };
 
 struct Interval {
@@ -55,7 +55,7 @@ struct Fit {
   std::array<Interval, N> intervals{};
   Eigen::Matrix<double, N, N> covariance = Eigen::Matrix<double, N, N>::Zero();
   std::vector<double> residuals{};
-  std::size_t degrees_of_freedom = 0;  ///< as many data as are more than parameters
+  std::size_t degrees_of_freedom = 0;  ///< number of data less number of parameters
   std::size_t evaluations = 0, iterations = 0;
   FitEnd end = FitEnd::converged;
 
@@ -64,7 +64,7 @@ struct Fit {
   }
   /// The scatter of the data about the model that the residuals show.
   double standard_deviation() const { return residual_norm() / std::sqrt(static_cast<double>(degrees_of_freedom)); }
-  /// How much two parameters can stand in for each other: -1 or 1 if entirely.
+  /// Correlation of two parameters: at -1 or 1 the data determine only a combination of both.
   double correlation(std::size_t i, std::size_t j) const {
     const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
     return covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
@@ -72,9 +72,10 @@ struct Fit {
 };
 
 namespace detail {
+using namespace strike::detail;
 
-/// The residuals and their slopes as Eigen's Levenberg-Marquardt asks for them, in variables x of order one that are 1
-/// at the start: x - 1 = ln(p/start) of what is positive, else p/start - 1.
+/// The residuals and their slopes in the form of Eigen's Levenberg-Marquardt, in variables x of order one that are 1
+/// at the start: x - 1 = ln(p/start) of a positive parameter, else p/start - 1.
 template <std::size_t N>
 class FitFunctor : public Eigen::DenseFunctor<double> {
  public:
@@ -85,11 +86,10 @@ class FitFunctor : public Eigen::DenseFunctor<double> {
   FitFunctor(Residuals residuals, std::span<const Unknown, N> unknowns)
       : residuals_(std::move(residuals)), unknowns_(unknowns), x_(Vector::Ones(N)) {
     for (const Unknown& unknown : unknowns_)
-      if (!std::isfinite(unknown.start) || unknown.start == 0 ||
-          (unknown.range == Range::positive && unknown.start < 0))
+      if (!std::isfinite(unknown.start) || unknown.start == 0 || (unknown.sign == Sign::positive && unknown.start < 0))
         throw Error(joined({"strike: the fit begins with '", unknown.name, "' = ", text(unknown.start),
                             ", which gives it no scale; begin with a ",
-                            unknown.range == Range::positive ? "positive" : "finite", " value other than 0."}));
+                            unknown.sign == Sign::positive ? "positive" : "finite", " value other than 0."}));
     evaluate();
   }
 
@@ -117,7 +117,7 @@ class FitFunctor : public Eigen::DenseFunctor<double> {
     std::array<Number, N> p;
     for (std::size_t k = 0; k < N; ++k) {
       const Number x = Number::variable(x_[static_cast<Eigen::Index>(k)], k);
-      p[k] = unknowns_[k].start * (unknowns_[k].range == Range::positive ? exp(x - 1.0) : x);
+      p[k] = unknowns_[k].start * (unknowns_[k].sign == Sign::positive ? exp(x - 1.0) : x);
     }
     return p;
   }
@@ -157,10 +157,10 @@ class FitFunctor : public Eigen::DenseFunctor<double> {
   std::size_t evaluations_ = 0;
 };
 
-/// Refuses slopes that leave a parameter open, or some of them together.
+/// Error: slopes that leave a parameter, or a combination of some, undetermined.
 template <std::size_t N>
 void check_determined(const Eigen::MatrixXd& J, std::span<const Unknown, N> unknowns) {
-  constexpr double least = 1e-8;  // derivatives are not better than that
+  constexpr double least = 1e-8;  // the accuracy of derivatives
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinV);
   const Eigen::VectorXd& slopes = svd.singularValues();
   const auto last = static_cast<Eigen::Index>(N) - 1;
@@ -178,8 +178,8 @@ void check_determined(const Eigen::MatrixXd& J, std::span<const Unknown, N> unkn
 
 /// Fits N parameters to data: the least sum of squares of residuals, by Levenberg and Marquardt (More 1978, MINPACK, as
 /// in Eigen) with derivatives by dual numbers. `residuals(p)` gets the parameters as `std::array<Dual<double, N>, N>`
-/// and returns a `std::vector<Dual<double, N>>`, of each datum what the model says less what was measured, in units of
-/// its scatter so that all count alike.
+/// and returns a `std::vector<Dual<double, N>>`, for each datum the model less the measurement, in units of its
+/// scatter, so that all have the same weight.
 ///   const auto fitted = fit(residuals, {{"yield stress", 0.3}, {"hardening modulus", 0.2}});
 /// The covariance is that of the linearised model, s^2 (J^T J)^-1 with s^2 = |r|^2/(data - N), and the intervals are
 /// Student's (Seber and Wild, Nonlinear Regression, 1989, section 2.1). Errors: no more data than parameters; a
@@ -194,7 +194,7 @@ Fit<N> fit(const Residuals& residuals, const Unknown (&unknowns)[N], const FitOp
   search.setMaxfev(static_cast<Eigen::Index>(options.evaluations));
   search.setExternalScaling(true);  // the variables have scales
   search.diag() = Eigen::VectorXd::Ones(N);
-  search.setFactor(0.5);  // the first step goes half an e-folding at most
+  search.setFactor(0.5);  // the first step changes a parameter by half an e-folding at most
   const auto status = search.minimize(x);
 
   Eigen::VectorXd r(functor.values());
@@ -223,7 +223,7 @@ Fit<N> fit(const Residuals& residuals, const Unknown (&unknowns)[N], const FitOp
                  error = std::sqrt(result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
     result.parameters[i] = value;
     result.standard_errors[i] = error;
-    if (unknowns[i].range == Range::positive)
+    if (unknowns[i].sign == Sign::positive)
       result.intervals[i] = {value * std::exp(-t * error / value), value * std::exp(t * error / value)};
     else
       result.intervals[i] = {value - t * error, value + t * error};
@@ -231,4 +231,4 @@ Fit<N> fit(const Residuals& residuals, const Unknown (&unknowns)[N], const FitOp
   return result;
 }
 
-}  // namespace strike
+}  // namespace strike::calibrate

@@ -5,7 +5,7 @@
 
 #include <strike/scalar/bisect.hpp>
 
-namespace strike {
+namespace strike::calibrate {
 
 /// The probability that Student's t of some degrees of freedom lies between -t and t (Abramowitz and Stegun 1964,
 /// 26.7.3 and 26.7.4), with tan(theta) = t/sqrt(degrees_of_freedom).
@@ -30,4 +30,4 @@ inline double student_t_quantile(double probability, std::size_t degrees_of_free
   return bisect(Bracket<double>{0, upper}, is_below, 60).middle();
 }
 
-}  // namespace strike
+}  // namespace strike::calibrate

@@ -10,22 +10,22 @@
 #include <strike/text.hpp>
 #include <strike/verify/material_point.hpp>
 
-namespace strike {
+namespace strike::calibrate {
 
-/// How a stress-strain curve was measured.
+/// Conditions of a measured stress-strain curve.
 struct UniaxialTest {
   double rate = 1;                  ///< of strain [1/time]
   double largest_increment = 1e-3;  ///< of strain in a step of the material point
 };
 
-/// The Cauchy stresses [stress] of a material in tension, or compression, under no stress across, at some logarithmic
-/// strains that follow each other: what a measured curve is compared with.
+/// The Cauchy stresses [stress] of a material in tension, or compression, without stress across, at successive
+/// logarithmic strains: to compare with a measured curve.
 ///   const auto stress = uniaxial_stresses(copper, strains, {.rate = 1e-3}, in<Dual<double, 2>>);
-/// Errors: strains that do not go one way from 0.
+/// Errors: strains that do not move away from 0 in one direction.
 template <class M, class T = double>
 std::vector<T> uniaxial_stresses(const M& material, std::span<const double> strains, const UniaxialTest& test,
                                  In<T> number = {}) {
-  MaterialPoint point{material, number};
+  verify::MaterialPoint point{material, number};
   std::vector<T> stresses;
   double before = 0;
   for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -35,11 +35,11 @@ std::vector<T> uniaxial_stresses(const M& material, std::span<const double> stra
           detail::joined({"strike: strain ", std::to_string(i), " of a uniaxial test is ", detail::text(strains[i]),
                           " after ", detail::text(before), "; give strains that go one way from 0."}));
     const auto steps = static_cast<std::size_t>(std::ceil(std::abs(change) / test.largest_increment));
-    point.run(uniaxial_stress({.strain = change, .rate = test.rate, .steps = steps}), [](const auto&) {});
+    point.run(verify::uniaxial_stress({.strain = change, .rate = test.rate, .steps = steps}), [](const auto&) {});
     stresses.push_back(point.now().stress.xx);
     before = strains[i];
   }
   return stresses;
 }
 
-}  // namespace strike
+}  // namespace strike::calibrate

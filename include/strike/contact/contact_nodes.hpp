@@ -11,6 +11,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -45,8 +46,8 @@ class ContactNodes {
   template <class N>
   void gather(const N& nodes) {
     for (std::size_t i = 0; i < place_.size(); ++i) {
-      x[i] = N::told(nodes.position()[place_[i]]);
-      v[i] = N::told(nodes.velocity()[place_[i]]);
+      x[i] = N::vector_of(nodes.position()[place_[i]]);
+      v[i] = N::vector_of(nodes.velocity()[place_[i]]);
     }
     for (const Index i : touched_) is_touched_[i] = 0, normal_impulse[i].setZero(), friction_impulse[i].setZero();
     touched_.clear();
@@ -56,7 +57,7 @@ class ContactNodes {
   template <class N, class Pairs>
   void gather_forces(const N& nodes, Pairs& pairs, double kick) {
     const auto gather_force = [&](Index i) {
-      if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::told(nodes.force()[place_[i]]));
+      if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
     };
     for (auto& pair : pairs) {
       gather_force(pair.node);
@@ -72,8 +73,12 @@ class ContactNodes {
     knows_held_ = true;
     for (std::size_t i = 0; i < number_.size(); ++i) {
       Eigen::Matrix3d free;
-      for (int a = 0; a < 3; ++a) free.col(a) = nodes.free(number_[i], Eigen::Vector3d::Unit(a));
-      if (free.isIdentity(0)) continue;
+      for (std::size_t a = 0; a < 3; ++a) {
+        Eigen::Vector3d unit{0, 0, 0};
+        unit[static_cast<Eigen::Index>(a)] = 1;
+        set_column(free, a, nodes.free(number_[i], unit));
+      }
+      if (std::equal(free.data(), free.data() + 9, Eigen::Matrix3d::Identity().eval().data())) continue;
       held_[i] = static_cast<int>(free_.size());
       free_.push_back(free);
     }
@@ -95,7 +100,7 @@ class ContactNodes {
 
   /// The part of a vector along which node i may move.
   Eigen::Vector3d free(Index i, const Eigen::Vector3d& a) const {
-    return held_[i] < 0 ? a : Eigen::Vector3d(free_[static_cast<std::size_t>(held_[i])] * a);
+    return held_[i] < 0 ? a : times<double>(free_[static_cast<std::size_t>(held_[i])], a);
   }
   /// Inverse effective mass along a unit vector: the change of velocity per unit impulse, 1/m of a free node [1/mass].
   double inverse_mass_along(Index i, const Eigen::Vector3d& a) const {

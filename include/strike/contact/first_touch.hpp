@@ -85,9 +85,13 @@ class FirstTouch {
   /// True if the box around a face is farther than the best face.
   bool is_farther(const Corners& X) const {
     const Eigen::Vector3d& x = all_.x[i_];
-    const Eigen::Vector3d lower = X[0].cwiseMin(X[1]).cwiseMin(X[2].cwiseMin(X[3])),
-                          upper = X[0].cwiseMax(X[1]).cwiseMax(X[2].cwiseMax(X[3]));
-    return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm() >= best_.point.distance2;
+    double distance2 = 0;
+    for (int c = 0; c < 3; ++c) {
+      const auto [lower, upper] = std::minmax({X[0](c), X[1](c), X[2](c), X[3](c)});
+      const double apart = std::max({lower - x(c), x(c) - upper, 0.0});
+      distance2 += apart * apart;
+    }
+    return distance2 >= best_.point.distance2;
   }
   /// True if the node is farther from the plane of a face than the step carries it; the warp of the face counts too.
   bool is_off_plane(const Corners& X) const {

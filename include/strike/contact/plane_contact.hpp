@@ -57,7 +57,7 @@ class PlaneContact {
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const Index place = places_[k];
-      const Vector x = N::told(nodes.position()[place]), v = N::told(nodes.velocity()[place]);
+      const Vector x = N::vector_of(nodes.position()[place]), v = N::vector_of(nodes.velocity()[place]);
       const Number approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
       if (!(excess > 0)) continue;
       const double initial_depth = initial_depth_of(k);
@@ -135,7 +135,7 @@ class PlaneContact {
 
   template <class N>
   static Eigen::Vector3d position(const N& nodes, Index place) {
-    return N::told(nodes.position()[place]).template cast<double>();
+    return N::vector_of(nodes.position()[place]).template cast<double>();
   }
   /// A node that has come up starts anew from its present depth, or from the plane.
   template <class N>

@@ -30,7 +30,7 @@ struct ChartAxis {
 enum class Line { none, solid, dashed, dotted };
 enum class Marker { none, circle, square, triangle, diamond, cross };
 
-/// How a curve looks; by default the next colour of the palette.
+/// Style of a curve; by default in the next colour of the palette.
 struct Style {
   static constexpr int next = -1;
   Line line = Line::solid;
@@ -39,7 +39,7 @@ struct Style {
   double width = 2;   ///< [px]
 };
 
-/// What a chart shows.
+/// Options of a chart.
 struct ChartOptions {
   std::string title = {}, caption = {};
   ChartAxis x = {}, y = {};
@@ -47,7 +47,7 @@ struct ChartOptions {
 };
 
 /// Curves and points over two axes, as SVG: `chart.curve("length", t, L); chart.points("X3D", {80}, {21.47});`
-/// Colours are those of Okabe and Ito (2008, "Color Universal Design"), which colour-blind eyes can tell apart.
+/// Colours are those of Okabe and Ito (2008, "Color Universal Design"), distinct to colour-blind eyes.
 class Chart {
  public:
   explicit Chart(ChartOptions options) : options_(std::move(options)) {}
@@ -55,14 +55,14 @@ class Chart {
   /// A line through the points. Errors: x and y of different length; a value that a logarithmic axis cannot show.
   [[gnu::cold]] void curve(std::string name, std::span<const double> x, std::span<const double> y, Style style = {}) {
     if (x.size() != y.size())
-      throw Error(detail::joined({"Curve '", name, "' has ", std::to_string(x.size()), " x and ",
+      throw Error(detail::joined({"strike: the curve '", name, "' has ", std::to_string(x.size()), " x and ",
                                   std::to_string(y.size()), " y: give as many of both."}));
     for (std::size_t i = 0; i < x.size(); ++i)
       if ((options_.x.scale == Scale::logarithmic && x[i] <= 0) ||
           (options_.y.scale == Scale::logarithmic && y[i] <= 0))
-        throw Error(
-            detail::joined({"Point ", std::to_string(i), " of curve '", name, "' at (", detail::shortest(x[i]), ", ",
-                            detail::shortest(y[i]), ") is not on a logarithmic axis: give positive values."}));
+        throw Error(detail::joined({"strike: point ", std::to_string(i), " of the curve '", name, "' at (",
+                                    detail::shortest(x[i]), ", ", detail::shortest(y[i]),
+                                    ") is not on a logarithmic axis: give positive values."}));
     if (style.colour == Style::next) style.colour = static_cast<int>(curves_.size() % palette.size());
     curves_.push_back({std::move(name), {x.begin(), x.end()}, {y.begin(), y.end()}, style});
   }
@@ -86,7 +86,8 @@ class Chart {
 
   /// The SVG text.
   [[gnu::cold]] std::string svg() const {
-    if (curves_.empty()) throw Error(detail::joined({"The chart '", options_.title, "' has no curve: add one first."}));
+    if (curves_.empty())
+      throw Error(detail::joined({"strike: the Chart '", options_.title, "' has no curve: add one first."}));
     constexpr double left = 84, right = 32, margin = 32;
     detail::Svg svg;
     double top = 36;
@@ -97,33 +98,33 @@ class Chart {
     top = draw_legend(svg, margin, top) + 14;
     const double bottom = options_.height - 68;
 
-    Range x_range{options_.x, 8}, y_range{options_.y, 6};
+    Extent x_extent{options_.x, 8}, y_extent{options_.y, 6};
     for (const Curve& curve : curves_)
       for (std::size_t i = 0; i < curve.x.size(); ++i)
         if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) {
-          x_range.include(curve.x[i]);
-          y_range.include(curve.y[i]);
+          x_extent.include(curve.x[i]);
+          y_extent.include(curve.y[i]);
         }
-    for (const Reference& reference : references_) y_range.include(reference.y);
-    x_range.close();
-    y_range.close();
-    const auto px = [&](double x) { return left + (options_.width - right - left) * x_range.fraction(x); };
-    const auto py = [&](double y) { return bottom - (bottom - top) * y_range.fraction(y); };
+    for (const Reference& reference : references_) y_extent.include(reference.y);
+    x_extent.close();
+    y_extent.close();
+    const auto px = [&](double x) { return left + (options_.width - right - left) * x_extent.fraction(x); };
+    const auto py = [&](double y) { return bottom - (bottom - top) * y_extent.fraction(y); };
 
-    for (const auto& [at, label] : y_range.marks()) {
+    for (const auto& [at, label] : y_extent.marks()) {
       svg.line(left, py(at), options_.width - right, py(at), "#e6e6e6", 1);
       svg.text(left - 10, py(at) + 4.5, label, {.fill = "#4d4d4d", .anchor = detail::Anchor::end});
     }
-    for (const auto& [at, label] : x_range.marks()) {
+    for (const auto& [at, label] : x_extent.marks()) {
       svg.line(px(at), top, px(at), bottom, "#f0f0f0", 1);
       svg.line(px(at), bottom, px(at), bottom + 5, "#4d4d4d", 1);
       svg.text(px(at), bottom + 21, label, {.fill = "#4d4d4d", .anchor = detail::Anchor::middle});
     }
     svg.line(left, bottom, options_.width - right, bottom, "#4d4d4d", 1.2);
-    svg.text((left + options_.width - right) / 2, bottom + 48, options_.x.label + x_range.unit_label(),
+    svg.text((left + options_.width - right) / 2, bottom + 48, options_.x.label + x_extent.unit_label(),
              {.size = 14, .fill = "#1a1a1a", .anchor = detail::Anchor::middle});
     const double middle = (top + bottom) / 2;
-    svg.text(26, middle, options_.y.label + y_range.unit_label(),
+    svg.text(26, middle, options_.y.label + y_extent.unit_label(),
              {.size = 14, .fill = "#1a1a1a", .anchor = detail::Anchor::middle, .turn = 90});
 
     svg.open("clipPath", {{"id", "plot"}});
@@ -164,7 +165,7 @@ class Chart {
   };
 
   /// The values that an axis spans, and the marks on it.
-  struct Range {
+  struct Extent {
     const ChartAxis& axis;
     double count;  // about how many marks
     double lower = std::numeric_limits<double>::infinity(), upper = -std::numeric_limits<double>::infinity();

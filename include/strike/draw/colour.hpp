@@ -28,7 +28,7 @@ struct Colour {
             encode(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
   }
 
-  /// As SVG writes it: #rrggbb.
+  /// Text of the colour in SVG: #rrggbb.
   std::string hex() const {
     std::string text = "#";
     for (const double channel : srgb()) {
@@ -39,7 +39,7 @@ struct Colour {
     return text;
   }
 
-  /// The same colour in less light: 1 as it is, 0 black.
+  /// The colour in less light: 1 unchanged, 0 black.
   Colour in_light(double light) const { return {lightness * light, chroma * light, hue}; }
 };
 

@@ -20,15 +20,15 @@
 
 namespace strike {
 
-/// Which side of a face is drawn.
+/// Sides of a face that are drawn.
 enum class Sides { outer, both };
 
-/// What a picture shows and how.
+/// Options of a picture.
 struct PictureOptions {
   std::string title = {}, caption = {};
   std::string quantity = {}, unit = {};  ///< head of the legend
-  Eigen::Vector3d from = {2, -3, 1};     ///< direction in which the eye is, infinitely far
-  Eigen::Vector3d up = {0, 0, 1};        ///< what is up in the picture
+  Eigen::Vector3d from = {2, -3, 1};     ///< direction to the eye, which is infinitely far
+  Eigen::Vector3d up = {0, 0, 1};        ///< upward direction of the picture
   /// Planes x = 0, ... in which the model is mirrored; a plane of symmetry that is left out shows as a section.
   std::vector<Axis> mirror = {};
   double low = std::numeric_limits<double>::quiet_NaN();   ///< value at the lower end of the legend; NaN: the smallest
@@ -46,7 +46,7 @@ class Picture {
  public:
   [[gnu::cold]] explicit Picture(PictureOptions options) : options_(std::move(options)) {
     if (!(options_.from.norm() > 0) || !(options_.up.norm() > 0))
-      throw Error("A picture needs a direction to the eye and one upward: give vectors that are not zero.");
+      throw Error("strike: a Picture needs a direction to the eye and one upward: give vectors that are not zero.");
     toward_ = options_.from.normalized();
     right_ = cross(options_.up, toward_);
     if (right_.norm() < 1e-6 * options_.up.norm()) {  // the eye is right above
@@ -62,10 +62,10 @@ class Picture {
                          std::span<const double> values = {}, Sides sides = Sides::outer) {
     for (const Face& face : faces) {
       if (*std::max_element(face.nodes.begin(), face.nodes.end()) >= positions.size())
-        throw Error(detail::joined({"A face of cell ", std::to_string(face.cell), " names a node beyond the ",
+        throw Error(detail::joined({"strike: a face of cell ", std::to_string(face.cell), " names a node beyond the ",
                                     std::to_string(positions.size()), " positions: give the positions of all nodes."}));
       if (!values.empty() && face.cell >= values.size())
-        throw Error(detail::joined({"Cell ", std::to_string(face.cell), " has no value among ",
+        throw Error(detail::joined({"strike: cell ", std::to_string(face.cell), " has no value among ",
                                     std::to_string(values.size()), ": give one value for each cell."}));
     }
     for (const double value : values) note(value);
@@ -73,7 +73,7 @@ class Picture {
     add(faces, positions, values, sides, on_plane, {1, 1, 1}, 0);
   }
 
-  /// Adds nodes that no element holds any more as small circles.
+  /// Adds nodes whose elements are all deleted, as small circles.
   void add_particles(std::span<const Eigen::Vector3d> positions) { add_particles(positions, {1, 1, 1}, 0); }
 
   /// Marks a place with a dot, on top of everything, and a label beside it.
@@ -84,8 +84,8 @@ class Picture {
 
   /// The SVG text.
   [[gnu::cold]] std::string svg() const {
-    if (patches_.empty())
-      throw Error(detail::joined({"The picture '", options_.title, "' shows no face: add a surface first."}));
+    if (polygons_.empty())
+      throw Error(detail::joined({"strike: the Picture '", options_.title, "' shows no face: add a surface first."}));
     const bool legend = low_ <= high_;  // some face has a value
     const double low = std::isnan(options_.low) ? low_ : options_.low;
     const double high = std::isnan(options_.high) ? high_ : options_.high;
@@ -112,8 +112,8 @@ class Picture {
   }
 
  private:
-  /// A face in the picture, or of size 1 a particle.
-  struct Patch {
+  /// A face in the picture; a particle if its size is 1.
+  struct Polygon {
     std::array<Eigen::Vector3d, 4> corners;  // projected
     std::size_t size;
     double depth, light, value;
@@ -123,7 +123,7 @@ class Picture {
     Eigen::Vector3d place;
     std::string label;
   };
-  /// Where the picture of the model lies on the sheet.
+  /// Place and scale of the model on the sheet.
   struct Frame {
     Eigen::Vector3d lower, upper;  // ends of the projected model
     double scale;                  // [px / length]
@@ -136,12 +136,12 @@ class Picture {
   };
 
   [[gnu::cold]] Frame bounds() const {
-    Eigen::Vector3d lower = patches_[0].corners[0], upper = lower;
-    for (const Patch& patch : patches_)
-      for (std::size_t i = 0; i < patch.size; ++i) {
+    Eigen::Vector3d lower = polygons_[0].corners[0], upper = lower;
+    for (const Polygon& polygon : polygons_)
+      for (std::size_t i = 0; i < polygon.size; ++i) {
         for (int c = 0; c < 2; ++c) {
-          lower(c) = std::min(lower(c), patch.corners[i](c));
-          upper(c) = std::max(upper(c), patch.corners[i](c));
+          lower(c) = std::min(lower(c), polygon.corners[i](c));
+          upper(c) = std::max(upper(c), polygon.corners[i](c));
         }
       }
     return {lower, upper, options_.size / std::max(upper[0] - lower[0], upper[1] - lower[1])};
@@ -169,17 +169,17 @@ class Picture {
       Eigen::Vector3d normal = reflected(area_vector(positions, face).normalized(), sign);
       if (sides == Sides::both && normal.dot(toward_) < 0) normal = -normal;
       if (!(normal.dot(toward_) > 1e-3)) continue;
-      Patch patch;
-      patch.size = face.is_triangle() ? 3 : 4;
-      for (std::size_t i = 0; i < patch.size; ++i)
-        patch.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
-      patch.depth = projected(reflected(centroid(positions, face), sign))[2];
-      // Light from behind the eye's left shoulder; never dark, so that colours keep their meaning.
+      Polygon polygon;
+      polygon.size = face.is_triangle() ? 3 : 4;
+      for (std::size_t i = 0; i < polygon.size; ++i)
+        polygon.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
+      polygon.depth = projected(reflected(centroid(positions, face), sign))[2];
+      // Light from the upper left behind the eye; never dark, so that colours can be compared with the legend.
       const Eigen::Vector3d lamp = (toward_ + 0.5 * up_ - 0.5 * right_).normalized();
-      patch.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
-      patch.plain = values.empty();
-      patch.value = patch.plain ? 0 : values[face.cell];
-      patches_.push_back(patch);
+      polygon.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
+      polygon.plain = values.empty();
+      polygon.value = polygon.plain ? 0 : values[face.cell];
+      polygons_.push_back(polygon);
     }
     for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
       Eigen::Vector3d image = sign;
@@ -191,11 +191,11 @@ class Picture {
   [[gnu::cold]] void add_particles(std::span<const Eigen::Vector3d> positions, const Eigen::Vector3d& sign,
                                    std::size_t first_plane) {
     for (const Eigen::Vector3d& x : positions) {
-      Patch patch{};
-      patch.corners[0] = projected(reflected(x, sign));
-      patch.size = 1;
-      patch.depth = patch.corners[0][2];
-      patches_.push_back(patch);
+      Polygon polygon{};
+      polygon.corners[0] = projected(reflected(x, sign));
+      polygon.size = 1;
+      polygon.depth = polygon.corners[0][2];
+      polygons_.push_back(polygon);
     }
     for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
       Eigen::Vector3d image = sign;
@@ -204,7 +204,7 @@ class Picture {
     }
   }
 
-  /// Lies in a plane of symmetry, so that it is inside the whole body.
+  /// True of a face in a plane of symmetry, which is inside the whole body.
   bool is_cut(const Face& face, std::span<const Eigen::Vector3d> positions, double on_plane) const {
     return std::any_of(options_.mirror.begin(), options_.mirror.end(), [&](Axis axis) {
       return std::all_of(face.nodes.begin(), face.nodes.end(), [&](Index node) {
@@ -215,33 +215,33 @@ class Picture {
 
   /// Faces from the back to the front.
   [[gnu::cold]] void draw_faces(detail::Svg& svg, const Frame& frame, double low, double high) const {
-    std::vector<const Patch*> order;
-    for (const Patch& patch : patches_) order.push_back(&patch);
-    std::sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
+    std::vector<const Polygon*> order;
+    for (const Polygon& polygon : polygons_) order.push_back(&polygon);
+    std::sort(order.begin(), order.end(), [](const Polygon* a, const Polygon* b) {
       return a->depth != b->depth ? a->depth < b->depth : a < b;  // one order on every machine
     });
     svg.open("g",
              {{"stroke", "#000000"}, {"stroke-opacity", ".28"}, {"stroke-width", ".5"}, {"stroke-linejoin", "round"}});
-    for (const Patch* patch : order) {
-      if (patch->size == 1) {
-        svg.element("circle", {{"cx", std::round(10 * frame.x(patch->corners[0])) / 10},
-                               {"cy", std::round(10 * frame.y(patch->corners[0])) / 10},
+    for (const Polygon* polygon : order) {
+      if (polygon->size == 1) {
+        svg.element("circle", {{"cx", std::round(10 * frame.x(polygon->corners[0])) / 10},
+                               {"cy", std::round(10 * frame.y(polygon->corners[0])) / 10},
                                {"r", 1.6},
                                {"fill", "#ffffff"}});
         continue;
       }
-      const Colour colour = patch->plain ? Colour{0.86, 0.01, 250}
-                                         : options_.colours(high > low ? (patch->value - low) / (high - low) : 0);
+      const Colour colour = polygon->plain ? Colour{0.86, 0.01, 250}
+                                           : options_.colours(high > low ? (polygon->value - low) / (high - low) : 0);
       std::string path;
       double x = 0, y = 0;  // as rounded in the file, so that relative moves do not drift
-      for (std::size_t i = 0; i < patch->size; ++i) {
-        const double next_x = std::round(10 * frame.x(patch->corners[i])) / 10;
-        const double next_y = std::round(10 * frame.y(patch->corners[i])) / 10;
+      for (std::size_t i = 0; i < polygon->size; ++i) {
+        const double next_x = std::round(10 * frame.x(polygon->corners[i])) / 10;
+        const double next_y = std::round(10 * frame.y(polygon->corners[i])) / 10;
         path += detail::joined({i == 0 ? "M" : "l", detail::pixels(next_x - x), " ", detail::pixels(next_y - y)});
         x = next_x;
         y = next_y;
       }
-      svg.element("path", {{"fill", colour.in_light(patch->light).hex()}, {"d", path += 'z'}});
+      svg.element("path", {{"fill", colour.in_light(polygon->light).hex()}, {"d", path += 'z'}});
     }
     svg.close();
   }
@@ -291,7 +291,7 @@ class Picture {
 
   PictureOptions options_;
   Eigen::Vector3d toward_, right_, up_;
-  std::vector<Patch> patches_;
+  std::vector<Polygon> polygons_;
   std::vector<Mark> marks_;
   double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
 };

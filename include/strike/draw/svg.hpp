@@ -14,13 +14,13 @@ namespace strike::detail {
 
 enum class Anchor { start, middle, end };
 
-/// How a text looks.
+/// Style of a text.
 struct Font {
   double size = 13;  // [px]
   std::string_view fill = "#333333";
   Anchor anchor = Anchor::start;
   std::string_view weight = {};  // "600"
-  std::string_view halo = {};    // colour of a rim that keeps the text off what is below
+  std::string_view halo = {};    // colour of a rim that sets the text off from the drawing below
   double turn = 0;               // counter-clockwise about its place [degrees]
 };
 

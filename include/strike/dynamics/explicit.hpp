@@ -2,7 +2,6 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -78,7 +77,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     using namespace detail::observer;
     if constexpr ((report<fault<std::remove_reference_t<Observers>, Explicit, All>()>() && ...)) {
       end_ = end;
-      if (std::exchange(options_.print_warnings, false)) print(warnings());
+      if (std::exchange(options_.print_warnings, false)) this->print(warnings());
       const All all(observers...);
       if (!(resumes(observers, *this, all) || ...)) (observe(observers, *this), ...);
       try {
@@ -263,15 +262,12 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
   /// Half a step's work of the loads.
   void book_loads() {
-    this->each([&](const auto& item) {
-      if constexpr (requires { item.power(this->nodes_); })
-        ledger_.external.book(0.5 * step_.dt * item.power(this->nodes_));
+    this->each([&](auto& item) {
+      if constexpr (detail::answers<detail::item::Power, decltype(item), const Nodes>)
+        ledger_.external.book(0.5 * step_.dt * item.power(std::as_const(this->nodes_)));
     });
   }
 
-  [[gnu::cold]] static void print(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) std::fprintf(stderr, "strike: warning: %s\n", warning.c_str());
-  }
   [[noreturn, gnu::cold]] void give_up(const std::string& why) const {
     throw Error(detail::joined(
         {"strike: at t = ", detail::text(clock_.time()), ", step ", std::to_string(step_.number), ": ", why, "."}));

@@ -110,45 +110,25 @@ struct Warning {
   static auto call(const auto& item) -> decltype(item.warning()) { return item.warning(); }
 };
 
-// Names that a function of an item is mistaken for.
-struct Push {
-  struct Decoy {
-    int push;
-  };
-  template <class Item>
-  using Member = decltype(&Item::push);
-};
-struct ApplyLoad {
-  struct Decoy {
-    int apply_load;
-  };
-  template <class Item>
-  using Member = decltype(&Item::apply_load);
-};
-struct Touch {
-  struct Decoy {
-    int touch;
-  };
-  template <class Item>
-  using Member = decltype(&Item::touch);
-};
-struct ResolveContacts {
-  struct Decoy {
-    int resolve_contacts;
-  };
-  template <class Item>
-  using Member = decltype(&Item::resolve_contacts);
-};
-struct Constrains {
-  struct Decoy {
-    int constrains;
-  };
-  template <class Item>
-  using Member = decltype(&Item::constrains);
-};
+// Functions by a name that is mistaken for another, with that one's arguments.
+
+template <class Item, class N>
+concept MistakesApplyLoads = requires(Item& item, N& nodes) { item.push(nodes, 0.0); } ||
+                             requires(Item& item, N& nodes) { item.apply_load(nodes, 0.0); } ||
+                             requires(Item& item, N& nodes) { item.apply_forces(nodes, 0.0); };
+template <class Item, class N>
+concept MistakesConstrain = requires(Item& item, N& nodes, const Step& step, Ledger& ledger) {
+  item.constrains(nodes, step, ledger);
+} || requires(Item& item, N& nodes, const Step& step, Ledger& ledger) { item.constraint(nodes, step, ledger); };
+template <class Item, class N>
+concept MistakesResolveContact = requires(Item& item, N& nodes, const Step& step, Ledger& ledger) {
+  item.touch(nodes, step, ledger);
+} || requires(Item& item, N& nodes, const Step& step, Ledger& ledger) { item.resolve_contacts(nodes, step, ledger); };
 
 template <class Function, class Item, class... Arguments>
 inline constexpr bool has = answers<Function, Item, Arguments...>;
+template <class Function, class Item, class... Arguments>
+inline constexpr bool misses = nearly<Function, Item, Arguments...> && !is_number<Function, Item>;
 
 /// The first fault of an item in a run whose nodes are N, in the order of the requirements.
 enum class Fault {
@@ -169,22 +149,23 @@ template <class Item, class N>
 constexpr Fault fault() {
   using Part = const std::size_t;
   using Alive = const std::vector<bool>;
-  if constexpr (nearly<Begin, Item, N>) return Fault::begin;
-  if constexpr (nearly<StableStep, Item, double>) return Fault::stable_step;
-  if constexpr (nearly<ApplyLoads, Item, N, double> ||
-                (!has<ApplyLoads, Item, N, double> && (HasName<Push, Item> || HasName<ApplyLoad, Item>)))
+  if constexpr (misses<Begin, Item, N>) return Fault::begin;
+  if constexpr (misses<StableStep, Item, double>) return Fault::stable_step;
+  if constexpr (misses<ApplyLoads, Item, N, double>) return Fault::apply_loads;
+  if constexpr (has<ApplyLoads, Item, N, double>) {
+    if constexpr (nearly<Power, Item, const N>) return Fault::power;
+    if constexpr (!has<Power, Item, const N>) return Fault::power_missing;
+  } else if constexpr (MistakesApplyLoads<Item, N>) {
     return Fault::apply_loads;
-  if constexpr (nearly<Power, Item, const N>) return Fault::power;
-  if constexpr (has<ApplyLoads, Item, N, double> && !has<Power, Item, const N>) return Fault::power_missing;
-  if constexpr (nearly<Constrain, Item, N, const Step, Ledger> ||
-                (!has<Constrain, Item, N, const Step, Ledger> && HasName<Constrains, Item>))
+  }
+  if constexpr (misses<Constrain, Item, N, const Step, Ledger> ||
+                (MistakesConstrain<Item, N> && !has<Constrain, Item, N, const Step, Ledger>))
     return Fault::constrain;
-  if constexpr (nearly<ResolveContact, Item, N, const Step, Ledger> ||
-                (!has<ResolveContact, Item, N, const Step, Ledger> &&
-                 (HasName<Touch, Item> || HasName<ResolveContacts, Item>)))
+  if constexpr (misses<ResolveContact, Item, N, const Step, Ledger> ||
+                (MistakesResolveContact<Item, N> && !has<ResolveContact, Item, N, const Step, Ledger>))
     return Fault::resolve_contact;
-  if constexpr (nearly<Remove, Item, Part, Alive>) return Fault::remove;
-  if constexpr (nearly<Warning, const Item>) return Fault::warning;
+  if constexpr (misses<Remove, Item, Part, Alive>) return Fault::remove;
+  if constexpr (misses<Warning, const Item>) return Fault::warning;
   if constexpr (!(has<Begin, Item, N> || has<StableStep, Item, double> || has<ApplyLoads, Item, N, double> ||
                   has<Constrain, Item, N, const Step, Ledger> || has<ResolveContact, Item, N, const Step, Ledger> ||
                   has<Remove, Item, Part, Alive>))

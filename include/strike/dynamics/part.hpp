@@ -64,6 +64,7 @@ struct NotCells {};
 /// The elements of one kind and one material in a scene, and the law by which they are deleted, if they are.
 template <class E, class M, std::size_t n = 8, class Removal = NoErosion>
 struct Part {
+  static_assert(instantiates(static_cast<detail::Report<M>*>(nullptr)));
   static constexpr detail::Flaw flaw = detail::flaw<E, M, n, Removal>();
   static_assert(flaw != detail::Flaw::element, "strike: the first piece of a Part is its element, such as Hex8{}.");
   static_assert(flaw != detail::Flaw::material,

@@ -8,16 +8,16 @@
 
 namespace strike::detail {
 
-/// What one thread takes at a time: a range of blocks, the places of the nodes that no patch before it has, and those
-/// of its ghosts, which stand for its other nodes.
+/// A thread's unit of work: a range of blocks, the places of the nodes that it owns, which no patch before it has, and
+/// those of its ghosts, copies of nodes that it shares with patches before.
 struct Patch {
   std::size_t first_block, last_block;
   Index first_node, last_node;
   Index first_ghost, last_ghost;
 };
 
-/// The patches of a part. None writes where another reads or writes, so that all may be at work at once. They, and with
-/// them the order in which forces are summed, follow from the mesh alone.
+/// The patches of a part. None writes where another reads or writes, so that all can work at once. They follow from the
+/// mesh alone, and with them the order in which forces are summed.
 class Patches {
  public:
   Patches() = default;
@@ -64,8 +64,8 @@ class Patches {
   std::size_t size() const { return patches_.size(); }
   const Patch& operator[](std::size_t p) const { return patches_[p]; }
 
-  /// Brings to a patch what its elements read, and clears what they write. A copy in lesser precision is relative to a
-  /// node of the patch, so that it is as good far from the origin: no element asks where it is.
+  /// Copies to the ghosts of a patch the motion of their nodes, and clears the forces that its elements add to. A copy
+  /// of lesser precision is relative to a node of the patch, so that it is as good far from the origin.
   template <class N>
   void load(const Patch& patch, N& nodes) const {
     auto& motion = nodes.motion();
@@ -89,7 +89,7 @@ class Patches {
     }
     for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) copy(sources_[g - first_ghost_], g);
   }
-  /// Brings the forces on a copy to the nodes.
+  /// Copies the forces on a copy of lesser precision to the nodes.
   template <class N>
   void store(const Patch& patch, N& nodes) const {
     using Sum = std::decay_t<decltype(nodes.force()[0])>;
@@ -113,8 +113,8 @@ class Patches {
     });
   }
 
-  /// The same for a field of vectors that is multiplied by a matrix into another: brings the ghosts of a patch to what
-  /// their nodes have and clears the product, ...
+  /// For the product of a matrix with a field of vectors: copies to the ghosts of a patch the vectors of their nodes
+  /// and clears their product, ...
   template <class Field>
   void refresh(const Patch& patch, Field& field, Field& product) const {
     refresh(patch, field);
@@ -124,7 +124,7 @@ class Patches {
   void refresh(const Patch& patch, Field& field) const {
     for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) field[g] = field[sources_[g - first_ghost_]];
   }
-  /// ... and adds the product at them to that at their nodes, if patch after patch then as the forces.
+  /// ... and adds the product at the ghosts to that at their nodes.
   template <class Field>
   void gather(const Patch& patch, Field& product) const {
     for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) product[sources_[g - first_ghost_]] += product[g];

@@ -134,7 +134,7 @@ concept RemovalLaw = requires(const Law law, const typename E::template State<M,
   { law.keeps(state, condition) } -> std::convertible_to<bool>;
 };
 
-/// What a block of elements remembers beside its state where it may be deleted.
+/// The memory of a block of elements that may be deleted, beside their state.
 template <class T, bool has_geometry>
 struct RemovalState {
   T alive{1.0};  ///< 1, or 0 once deleted

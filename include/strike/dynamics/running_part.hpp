@@ -164,8 +164,7 @@ class RunningPart {
       archive(numbers_of<T>(block.state));
       if constexpr (erodes) archive(numbers_of<T>(block.removal));
     }
-    if constexpr (averages_volume) archive(volume_);
-    if constexpr (erodes) archive(newly_deleted_, deletions_);
+    archive(volume_, newly_deleted_, deletions_);
   }
 
  private:
@@ -270,8 +269,11 @@ class RunningPart {
       return {};
   }
 
-  struct Nothing {};
-  using Volume = std::conditional_t<averages_volume, detail::NodalVolume<LaneOf<T>, Elements::loses_elements>, Nothing>;
+  struct NoVolume {
+    void serialize(auto&) {}
+  };
+  using Volume =
+      std::conditional_t<averages_volume, detail::NodalVolume<LaneOf<T>, Elements::loses_elements>, NoVolume>;
   struct NothingScaled {};
 
   Elements elements_;

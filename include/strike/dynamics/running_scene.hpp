@@ -132,6 +132,9 @@ class RunningScene {
     }
     return 0.5 * mass * spacing * spacing;
   }
+  [[gnu::cold]] static void print(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) std::fprintf(stderr, "strike: warning: %s\n", warning.c_str());
+  }
   /// An element of a part with its place, for a message.
   [[gnu::cold]] std::string describe(const StableStep& stable) const {
     std::string text;

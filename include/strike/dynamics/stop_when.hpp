@@ -19,7 +19,7 @@ class StopWhen {
     else
       met_ = condition_();
   }
-  /// Whether the run should end.
+  /// The run is to end.
   bool stops() const { return met_; }
 
   template <class Archive>

@@ -37,7 +37,7 @@ class AbaqusReader {
   using Shape = RawMesh::Shape;
   using Parameters = std::map<std::string, std::string, std::less<>>;
 
-  /// A part, or all that is in no part; with its sets by name.
+  /// A part, or everything outside of parts, with its sets by name.
   struct Model {
     RawMesh raw = {};
     std::map<std::string, std::size_t> node_sets = {}, element_sets = {};
@@ -126,7 +126,7 @@ class AbaqusReader {
         if (!field.empty()) x[i] = source_.number(field, "the coordinate");
       }
       model_->raw.nodes.push_back({number, x, source_.line()});
-      if (set) set->ranges.push_back({number, number, 1, source_.line()});
+      if (set) set->sequences.push_back({number, number, 1, source_.line()});
     }
   }
 
@@ -174,7 +174,7 @@ class AbaqusReader {
         source_.refuse({"element ", std::to_string(element.number), " has too many corners for its type ", type,
                         ": correct the line or the type."});
       raw.elements.push_back(element);
-      if (set) set->ranges.push_back({element.number, element.number, 1, element.line});
+      if (set) set->sequences.push_back({element.number, element.number, 1, element.line});
     }
   }
   void ignore(const std::string& type) {
@@ -209,7 +209,7 @@ class AbaqusReader {
         const FileNumber first = source_.tag(taken(line, ','), "the first of a range"),
                          last = source_.tag(taken(line, ','), "the last of a range");
         const FileNumber step = trimmed(line).empty() ? 1 : source_.tag(taken(line, ','), "the step of a range");
-        if (first <= last) set.ranges.push_back({scope + first, scope + last, step, at});
+        if (first <= last) set.sequences.push_back({scope + first, scope + last, step, at});
         continue;
       }
       while (!line.empty()) {
@@ -221,7 +221,7 @@ class AbaqusReader {
             own_scope = instance->second, field = field.substr(dot + 1);
         if (to_integer(field)) {
           const FileNumber number = own_scope + source_.tag(field, "a number of a set");
-          set.ranges.push_back({number, number, 1, at});
+          set.sequences.push_back({number, number, 1, at});
         } else if (const auto other = places.find(upper(field)); other != places.end() && other->second < self) {
           set.others.push_back(other->second);
         } else {
@@ -245,7 +245,7 @@ class AbaqusReader {
     model_ = &part->second;
   }
 
-  /// A copy of a part, moved and then turned.
+  /// A copy of a part, translated and then rotated.
   void instance(const std::string& name, const std::string& part_name) {
     const auto part = parts_.find(upper(part_name));
     if (part == parts_.end())
@@ -300,7 +300,7 @@ class AbaqusReader {
     const auto copy = [&](const std::vector<RawMesh::Set>& sets, std::vector<RawMesh::Set>& all, auto& places) {
       const std::size_t first = all.size();
       for (RawMesh::Set set : sets) {
-        for (RawMesh::Range& range : set.ranges) range.first += scope, range.last += scope;
+        for (RawMesh::Sequence& numbers : set.sequences) numbers.first += scope, numbers.last += scope;
         for (std::size_t& other : set.others) other += first;
         set.name = joined({name, ".", set.name});
         places.try_emplace(upper(set.name), all.size());
@@ -325,8 +325,9 @@ class AbaqusReader {
 /// The mesh of an Abaqus input file (.inp), flat or of parts and instances. Instances are parts; `*ELSET`s serve as
 /// parts too; sets within a part are called "instance.set". C3D8, C3D4, S4, S3 and their kinds (C3D8R, ...) are read,
 /// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; elements of other types are ignored with a
-/// warning, keywords that say no mesh skipped with one. `name` stands in messages. Errors: `*INCLUDE`; solids or shells
-/// of higher order, wedges; a number that is none, or is there twice; a node, set, part or instance that is not there.
+/// warning, keywords that do not describe a mesh are skipped with a warning. `name` is the file in messages. Errors:
+/// `*INCLUDE`; solids or shells of higher order, wedges; text in the place of a number; a number given twice; a node,
+/// set, part or instance that is not there.
 inline Deck read_abaqus(std::string_view text, std::string name) {
   return detail::AbaqusReader(detail::Source(text, std::move(name))).read();
 }

@@ -38,8 +38,8 @@ struct NamedSet {
   std::vector<Index> members = {};  ///< in ascending order
 };
 
-/// What a file says of a mesh, in its own units. Cells are counted hexahedra first, then tetrahedra, then
-/// quadrilaterals. Parts and sets are asked by name, or by their number in the file.
+/// The mesh of a file, in the file's units. Cells are numbered hexahedra first, then tetrahedra, then quadrilaterals.
+/// Parts and sets are found by name, or by their number in the file.
 struct Deck {
   std::string title = {};
   Mesh mesh = {};
@@ -48,27 +48,27 @@ struct Deck {
   std::vector<NamedSet> parts = {};           ///< of cells
   std::vector<NamedSet> cell_sets = {};
   std::vector<NamedSet> node_sets = {};
-  std::vector<std::string> warnings = {};  ///< what was skipped, dropped or ignored: a sentence each
+  std::vector<std::string> warnings = {};  ///< a sentence for each kind of input skipped, dropped or ignored
 
   /// The cells of a part or, if no part has that name, of a set of cells. Error: neither is there.
   PartCells part(std::string_view name) const {
     for (const auto* sets : {&parts, &cell_sets})
       if (const NamedSet* set = find(*sets, name)) return cells(set->members);
-    throw Error(detail::joined({"No part is called '", name, "': there are ", names(parts), "."}));
+    throw Error(detail::joined({"strike: no part is called '", name, "': ", choice_of(parts)}));
   }
   PartCells part(FileNumber number) const {
     if (const NamedSet* set = find(parts, number)) return cells(set->members);
-    throw Error(detail::joined({"No part has the number ", std::to_string(number), ": there are ", names(parts), "."}));
+    throw Error(detail::joined({"strike: no part has the number ", std::to_string(number), ": ", choice_of(parts)}));
   }
   /// The nodes of a set. Error: it is not there.
   const std::vector<Index>& nodes(std::string_view name) const {
     if (const NamedSet* set = find(node_sets, name)) return set->members;
-    throw Error(detail::joined({"No set of nodes is called '", name, "': there are ", names(node_sets), "."}));
+    throw Error(detail::joined({"strike: no set of nodes is called '", name, "': ", choice_of(node_sets)}));
   }
   const std::vector<Index>& nodes(FileNumber number) const {
     if (const NamedSet* set = find(node_sets, number)) return set->members;
     throw Error(detail::joined(
-        {"No set of nodes has the number ", std::to_string(number), ": there are ", names(node_sets), "."}));
+        {"strike: no set of nodes has the number ", std::to_string(number), ": ", choice_of(node_sets)}));
   }
   /// The cells with these numbers in the mesh, all counted together.
   PartCells cells(std::span<const Index> numbers) const {
@@ -96,19 +96,21 @@ struct Deck {
     const auto set = std::find_if(sets.begin(), sets.end(), is_it);
     if (set == sets.end()) return nullptr;
     if (const auto other = std::find_if(set + 1, sets.end(), is_it); other != sets.end())
-      throw Error(detail::joined({"What is asked for is both ", std::to_string(set->number), " '", set->name, "' and ",
-                                  std::to_string(other->number), " '", other->name,
-                                  "': ask by what tells them apart, the name or the number."}));
+      throw Error(detail::joined({"strike: the name or number names both ", std::to_string(set->number), " '",
+                                  set->name, "' and ", std::to_string(other->number), " '", other->name,
+                                  "': give the one that tells them apart."}));
     return &*set;
   }
-  static std::string names(const std::vector<NamedSet>& sets) {
-    if (sets.empty()) return "none";
-    std::string all;
-    for (const NamedSet& set : std::span(sets).first(std::min<std::size_t>(sets.size(), 10))) {
-      if (!all.empty()) all += ", ";
+  /// Advice in place of a name or a number that is not there.
+  static std::string choice_of(const std::vector<NamedSet>& sets) {
+    if (sets.empty()) return "the deck has none.";
+    std::string all = sets.size() == 1 ? "give " : "give one of ";
+    const auto first = std::span(sets).first(std::min<std::size_t>(sets.size(), 10));
+    for (const NamedSet& set : first) {
+      if (&set != first.data()) all += ", ";
       all += set.name.empty() ? std::to_string(set.number) : detail::joined({"'", set.name, "'"});
     }
-    return sets.size() > 10 ? all + ", ..." : all;
+    return all + (sets.size() > first.size() ? ", ..." : ".");
   }
 };
 

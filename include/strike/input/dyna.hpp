@@ -17,7 +17,7 @@
 namespace strike {
 namespace detail::dyna {
 
-/// What reads the cards of a keyword; null if nothing does.
+/// The reader of a keyword's cards; null if there is none.
 inline const Keyword* find_keyword(std::string_view name) {
   const Keyword* found = nullptr;
   const auto search = [&](const auto& keywords) {
@@ -31,10 +31,10 @@ inline const Keyword* find_keyword(std::string_view name) {
 }  // namespace detail::dyna
 
 /// The mesh and the cards of an LS-DYNA keyword file (.k, .key, .dyn) in the standard format, of fixed columns or with
-/// commas. Which keywords are read says docs/read_a_mesh.md; others are skipped with a warning, and so are values that
-/// have no counterpart here. `name` stands in messages. Errors: `*INCLUDE`; the long formats; elements of higher order,
-/// wedges; a number that is none, or is there twice; a node, set or part that is not there; a material without a
-/// density or a modulus.
+/// commas. docs/read_a_mesh.md lists the keywords that are read; others, and values without a counterpart here, are
+/// skipped with a warning. `name` is the file in messages. Errors: `*INCLUDE`; the long formats; elements of higher
+/// order, wedges; text in the place of a number; a number given twice; a node, set or part that is not there; a
+/// material without a density or a modulus.
 inline DynaDeck read_dyna(std::string_view text, std::string name) {
   detail::dyna::File file(detail::Source(text, std::move(name)));
   detail::dyna::Draft draft;

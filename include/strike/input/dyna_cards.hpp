@@ -108,7 +108,7 @@ struct SupportCard {
   }
 };
 
-/// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, v.nodes}`; with a spin ask `v.at(x)` of each node.
+/// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, v.nodes}`; with a spin, `v.at(x)` is the velocity of a node.
 struct VelocityCard {
   std::vector<Index> nodes;
   Eigen::Vector3d velocity;
@@ -125,7 +125,7 @@ struct WallCard {
   double friction;
 };
 
-/// One side of a contact: the parts or the nodes that it names. Neither: all parts.
+/// One side of a contact: the parts or the nodes that it names. Without either: all parts.
 struct ContactSide {
   std::vector<FileNumber> parts = {};
   std::vector<Index> nodes = {};
@@ -138,7 +138,7 @@ struct ContactCard {
   double static_friction = 0, dynamic_friction = 0, decay = 0;  ///< FS, FD, DC: FD + (FS - FD) exp(-DC v)
 };
 
-/// What an LS-DYNA deck says of a mesh, and of the rest. The cards of a part are asked by its name or number.
+/// An LS-DYNA deck: its mesh and its cards. The cards of a part are found by its name or number.
 struct DynaDeck : Deck {
   std::vector<PartCard> part_cards = {};
   std::vector<MaterialCard> materials = {};
@@ -154,13 +154,13 @@ struct DynaDeck : Deck {
   double step_factor = 0;                           ///< TSSFAC, 0 if there is none
   std::array<double, 2> bulk_viscosity{1.5, 0.06};  ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
 
-  /// The material of a part, as what it is there. Error: the part has none, or one of another kind.
+  /// The material of a part, by the type of its card. Error: the part has none, or one of another type.
   template <class M, class Part>
   const M& material(const Part& part) const {
     const MaterialCard& card = material_card(part);
     if (const M* found = std::get_if<M>(&card.material)) return *found;
-    throw Error(detail::joined({"The material ", std::to_string(card.number), " of part ", text_of(part), " is ",
-                                card.keyword, ", not what was asked for: ask for that."}));
+    throw Error(detail::joined({"strike: the material ", std::to_string(card.number), " of part ", text_of(part),
+                                " is ", card.keyword, ": read it as that card."}));
   }
   /// The equation of state of a part, with the density and the cut-off of its material.
   template <class E, class Part>
@@ -169,8 +169,8 @@ struct DynaDeck : Deck {
     const EosCard& card = card_of(equations_of_state, card_of_part(part).eos, "equation of state", text_of(part));
     const E* const found = std::get_if<E>(&card.eos);
     if (!found)
-      throw Error(detail::joined({"The equation of state ", std::to_string(card.number), " of part ", text_of(part),
-                                  " is ", card.keyword, ", not what was asked for: ask for that."}));
+      throw Error(detail::joined({"strike: the equation of state ", std::to_string(card.number), " of part ",
+                                  text_of(part), " is ", card.keyword, ": read it as that card."}));
     E eos = *found;
     eos.density = std::visit(
         [](const auto& m) -> double {
@@ -201,25 +201,24 @@ struct DynaDeck : Deck {
 
   const PartCard& card_of_part(std::string_view name) const {
     if (const NamedSet* const part = find(parts, name)) return card_of_part(part->number);
-    throw Error(detail::joined({"No *PART is called '", name, "': there are ", names(parts), "."}));
+    throw Error(detail::joined({"strike: no *PART is called '", name, "': ", choice_of(parts)}));
   }
   const PartCard& card_of_part(FileNumber number) const {
     for (const PartCard& card : part_cards)
       if (card.number == number) return card;
-    throw Error(
-        detail::joined({"No *PART has the number ", std::to_string(number), ": there are ", names(parts), "."}));
+    throw Error(detail::joined({"strike: no *PART has the number ", std::to_string(number), ": ", choice_of(parts)}));
   }
   template <class Part>
   const MaterialCard& material_card(const Part& part) const {
     return card_of(materials, card_of_part(part).material, "material", text_of(part));
   }
-  template <class Card>
-  static const Card& card_of(const std::vector<Card>& cards, FileNumber number, const char* kind,
-                             const std::string& part) {
-    for (const Card& card : cards)
-      if (card.number == number) return card;
-    throw Error(detail::joined({"Part ", part, " names the ", kind, " ", std::to_string(number),
-                                ", which the deck does not have or the reader skipped: see its warnings."}));
+  template <class Entry>
+  static const Entry& card_of(const std::vector<Entry>& entries, FileNumber number, const char* kind,
+                              const std::string& part) {
+    for (const Entry& entry : entries)
+      if (entry.number == number) return entry;
+    throw Error(detail::joined({"strike: part ", part, " names the ", kind, " ", std::to_string(number),
+                                ", which is not in the deck or was skipped: read its warnings."}));
   }
 };
 

@@ -186,7 +186,7 @@ class GmshReader {
     const Group& group = group_of(kind->dimension, entity, physical);
     for (const std::size_t set : group.node_sets)
       for (std::size_t i = 0; i < kind->corners; ++i)
-        raw_.node_sets[set].ranges.push_back({element.corners[i], element.corners[i], 1, element.line});
+        raw_.node_sets[set].sequences.push_back({element.corners[i], element.corners[i], 1, element.line});
     if (kind->dimension < 2) {
       ignored_.add(kind->dimension == 0 ? "Points" : "Lines", element.line);
       return;
@@ -204,7 +204,7 @@ class GmshReader {
     std::uint32_t number;
     std::vector<std::size_t> node_sets = {};
   };
-  /// The group of elements of an entity: its parts, and for what is no volume the sets of its nodes.
+  /// The group of elements of an entity: its parts, and unless it is a volume the sets of its nodes.
   const Group& group_of(FileNumber dimension, FileNumber entity, FileNumber physical) {
     const std::array<FileNumber, 3> key{dimension, entity, physical};
     if (last_group_ && last_key_ == key) return *last_group_;
@@ -254,9 +254,9 @@ class GmshReader {
 }  // namespace detail
 
 /// The mesh of a gmsh file (.msh), ASCII of version 2.2 or 4.1. Physical groups of volumes and surfaces are parts;
-/// those of surfaces, lines and points are sets of nodes too. Surface elements that lie on solids are such sets alone,
-/// lines and points always. `name` stands in messages. Errors: binary or another version; elements of higher order,
-/// wedges and pyramids; a number that is none, or is there twice; a node that is not there; a file that ends too soon.
+/// groups of surfaces, lines and points are also sets of nodes. Surface elements on solids, lines and points are only
+/// sets of nodes. `name` is the file in messages. Errors: binary or another version; elements of higher order, wedges
+/// and pyramids; text in the place of a number; a number given twice; a node that is not there; an incomplete file.
 inline Deck read_gmsh(std::string_view text, std::string name) {
   return detail::GmshReader(detail::Source(text, std::move(name))).read();
 }

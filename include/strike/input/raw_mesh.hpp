@@ -18,7 +18,7 @@ namespace strike::detail {
 
 inline constexpr Index nothing = std::numeric_limits<Index>::max();
 
-/// Where the things are that have these numbers: a table if the numbers lie close together, a sorted list if not.
+/// Places of nodes, elements or parts by their numbers: a table if the numbers are close together, else a sorted list.
 class Numbering {
  public:
   Numbering() = default;
@@ -42,14 +42,14 @@ class Numbering {
         if (sorted_[i].first == sorted_[i - 1].first) twice_ = sorted_[i].second;
     }
   }
-  /// The first thing of that number, or `nothing`.
+  /// The first place of that number, or `nothing`.
   Index find(FileNumber number) const {
     if (numbers_.empty() || number < first_ || number > last_) return nothing;
     if (!table_.empty()) return table_[static_cast<std::size_t>(number - first_)];
     const auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(number, 0));
     return place != sorted_.end() && place->first == number ? place->second : nothing;
   }
-  /// Those with the numbers first, first + step, ... up to last.
+  /// Calls f with the place of each of the numbers first, first + step, ... up to last.
   template <class F>
   void for_range(FileNumber first, FileNumber last, FileNumber step, F f) const {
     if (numbers_.empty() || step < 1) return;
@@ -64,7 +64,7 @@ class Numbering {
         if ((place->first - first) % step == 0) f(place->second);
     }
   }
-  /// One whose number another has before it, or `nothing`.
+  /// A place whose number occurs before it, or `nothing`.
   Index twice() const { return twice_; }
 
  private:
@@ -75,7 +75,7 @@ class Numbering {
   Index twice_ = nothing;
 };
 
-/// What readers gather, by the numbers of the file; `finished` makes a deck of it.
+/// Input of the readers by the numbers of the file; `finished` makes a deck of it.
 struct RawMesh {
   /// Numbers are unique in their scope: an instance of a part, or the solids and the shells of LS-DYNA.
   static constexpr FileNumber scope = number_limit;
@@ -89,19 +89,20 @@ struct RawMesh {
   struct Element {
     FileNumber number;
     std::array<FileNumber, 8> corners;
-    std::uint32_t group, line;  ///< group: of those of the mesh
+    std::uint32_t group, line;  ///< group: place in `groups`
     Shape shape;
-    bool marks_solids = false;  ///< a surface cell that is no plate if it lies on solids
+    bool marks_solids = false;  ///< a surface cell: not a plate if it lies on solids
   };
-  struct Range {
+  /// The numbers first, first + step, ... up to last.
+  struct Sequence {
     FileNumber first, last, step;
     std::uint32_t line;
   };
   struct Set {
     FileNumber number = 0;
     std::string name = {};
-    std::vector<Range> ranges = {};
-    std::vector<std::size_t> others = {};  ///< sets before it that it holds too
+    std::vector<Sequence> sequences = {};
+    std::vector<std::size_t> others = {};  ///< earlier sets that it includes
   };
 
   std::vector<Node> nodes = {};
@@ -144,14 +145,14 @@ struct Finished {
   }
 };
 
-/// The sets by places in the mesh. Error: one holds a number that neither a thing has nor one that was ignored.
+/// The sets by places in the mesh. Error: a number in a set that is neither in the mesh nor ignored.
 inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numbering& numbering,
                                       const Numbering& ignored, std::span<const Index> place, const char* thing,
                                       const Source& source) {
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : sets) {
     std::vector<Index> members;
-    for (const auto& [first, last, step, line] : set.ranges) {
+    for (const auto& [first, last, step, line] : set.sequences) {
       if (first == last && numbering.find(first) == nothing && ignored.find(first) == nothing)
         source.refuse(line, {thing, " ", std::to_string(first % RawMesh::scope),
                              " is not in the file: define it or take it off this set."});
@@ -166,7 +167,7 @@ inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numb
   return all;
 }
 
-/// Errors: a number twice; an element or set that names what is not there; an element that is neither hexahedron,
+/// Errors: a number twice; an element or set with a number that is not there; an element that is neither hexahedron,
 /// tetrahedron, quadrilateral nor triangle.
 inline Finished finished(RawMesh raw, const Source& source) {
   using Shape = RawMesh::Shape;
@@ -182,7 +183,7 @@ inline Finished finished(RawMesh raw, const Source& source) {
                                       std::to_string(twin.line), " already: give each node a number of its own."});
   }
 
-  // The elements by places of nodes in the file, and what they are.
+  // The elements by places of nodes in the file, and their shapes.
   struct Cell {
     std::array<Index, 8> corners;
     Shape shape;

@@ -20,7 +20,7 @@ inline Deck read_mesh(const std::string& path) {
     DynaDeck deck = read_dyna(path);
     return std::move(static_cast<Deck&>(deck));
   }
-  throw Error(detail::joined({"File '", path,
+  throw Error(detail::joined({"strike: the file '", path,
                               "' has an ending that is not read: give a .msh (gmsh), an .inp (Abaqus) or a .k "
                               "(LS-DYNA)."}));
 }

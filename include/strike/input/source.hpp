@@ -20,23 +20,25 @@
 
 namespace strike {
 
-/// The number that a file gives to a node, an element, a part or a set, from 1.
+/// Number of a node, an element, a part or a set in its file, from 1.
 using FileNumber = std::int64_t;
 
 namespace detail {
 
-/// Numbers in a file are below this.
+/// Upper bound of the numbers in a file, itself not allowed.
 inline constexpr FileNumber number_limit = FileNumber(1) << 40;
 
 /// The content of a file. Error: it cannot be read.
 inline std::string content_of_file(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw Error(joined({"File '", path, "' cannot be opened for reading: check its name and folder."}));
+  if (!file)
+    throw Error(joined({"strike: the file '", path, "' cannot be opened for reading: check its name and folder."}));
   std::string content;
   std::array<char, 1 << 16> buffer;
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
     content.append(buffer.data(), count);
-  if (std::ferror(file.get())) throw Error(joined({"File '", path, "' cannot be read: give the path of a file."}));
+  if (std::ferror(file.get()))
+    throw Error(joined({"strike: the file '", path, "' cannot be read: give the path of a file."}));
   return content;
 }
 
@@ -60,7 +62,7 @@ inline bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
 }
 
-/// Takes what stands before the first `mark` off the text, and the mark.
+/// Removes the text before the first `mark`, and the mark; returns the text removed.
 inline std::string_view taken(std::string_view& text, char mark) {
   const std::size_t end = std::min(text.find(mark), text.size());
   const std::string_view head = text.substr(0, end);
@@ -130,9 +132,9 @@ class Source {
     ++line_;
     return true;
   }
-  /// The character with which the next line begins.
+  /// The first character of the next line.
   char peek() const { return rest_.empty() ? '\0' : rest_.front(); }
-  /// Whether the next line begins so, after blanks.
+  /// True if the next line, after blanks, starts with the text.
   bool next_begins_with(std::string_view mark) const {
     const std::size_t first = rest_.find_first_not_of(" \t");
     return first != rest_.npos && rest_.substr(first, mark.size()) == mark;
@@ -140,9 +142,9 @@ class Source {
   /// The number of the last line, from 1.
   std::uint32_t line() const { return line_; }
 
-  /// Throws an Error with the place: what is wrong on that line, and what to do.
+  /// Throws an Error with file and line: what is wrong there, and what to do.
   [[noreturn, gnu::cold]] void refuse(std::uint32_t line, std::initializer_list<std::string_view> what) const {
-    throw Error(joined({"File '", name_, "', line ", std::to_string(line), ": ", joined(what)}));
+    throw Error(joined({"strike: the file '", name_, "', line ", std::to_string(line), ": ", joined(what)}));
   }
   [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { refuse(line_, what); }
 
@@ -156,7 +158,7 @@ class Source {
     if (!value) refuse({meaning, " ", shown(field), " is no whole number: correct it."});
     return *value;
   }
-  /// A number that names a thing, and fits a scope.
+  /// The number of a node, element, part or set, within its bounds.
   FileNumber tag(std::string_view field, std::string_view meaning, FileNumber least = 1) const {
     const FileNumber n = integer(field, meaning);
     if (n < least || n >= number_limit)
@@ -170,7 +172,7 @@ class Source {
   std::uint32_t line_ = 0;
 };
 
-/// What a reader skipped, by name: how often and on which lines.
+/// Skipped input by name, with count and lines.
 class Skipped {
  public:
   void add(std::string_view name, std::uint32_t line, std::size_t count = 1) {

@@ -17,14 +17,14 @@ class BodyForce {
   template <class N>
   void apply_loads(N& nodes, double time) {
     now_ = history_(time) * acceleration_;
-    const auto g = N::kept(now_.cast<typename N::Number>());
+    const auto g = N::padded(now_.cast<typename N::Number>());
     for (std::size_t k = 0; k < nodes.size(); ++k) nodes.force()[k] += nodes.mass()[k] * g;
   }
   template <class N>
   double power(const N& nodes) const {
     Padded<double> momentum = 0;
     for (std::size_t k = 0; k < nodes.size(); ++k) momentum += Padded<double>(nodes.mass()[k] * nodes.velocity()[k]);
-    return Nodes<double>::told(momentum).dot(now_);
+    return Nodes<double>::vector_of(momentum).dot(now_);
   }
 
   template <class Archive>

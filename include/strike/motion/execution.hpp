@@ -7,14 +7,14 @@
 
 namespace strike {
 
-/// How the loops of a run are carried out.
-/// Law: `for_each(n, f)` calls f(0), ..., f(n - 1) once each, in any order and side by side if it likes, and returns
-/// when all are done. The driver gives it work that does not throw and whose results do not depend on the order.
+/// A way to carry out the loops of a run.
+/// Law: `for_each(n, f)` calls f(0), ..., f(n - 1) once each, in any order or in parallel, and returns when all are
+/// done. The driver's work does not throw, and its results do not depend on the order.
 template <class E>
 concept Execution =
     std::copyable<E> && requires(const E execution, void (*f)(std::size_t)) { execution.for_each(std::size_t{}, f); };
 
-/// One after the other: what a run does unless told otherwise.
+/// Serial execution, the default.
 struct Serial {
   template <class F>
   void for_each(std::size_t n, const F& f) const {
@@ -24,7 +24,7 @@ struct Serial {
 
 namespace detail {
 
-/// So many nodes are worth a thread's while, and stay in its cache.
+/// Nodes per chunk: amortises scheduling and fits the cache.
 inline constexpr std::size_t chunk = 1024;
 
 inline std::size_t chunks(std::size_t n) { return (n + chunk - 1) / chunk; }

@@ -39,7 +39,8 @@ struct Transposer {
   }
 };
 
-/// The same for registers of whole quadruples: a node is one load, and quadruples of nodes are transposed in registers.
+/// Transposer for registers of whole quadruples: a node is one load, and quadruples of nodes are transposed in
+/// registers.
 template <class T, std::size_t N>
   requires(N >= 4 && native_lanes<T> >= 4)
 struct Transposer<Pack<T, N>> {
@@ -104,7 +105,7 @@ struct Transposer<Pack<T, N>> {
       const Wide x = v(0).native(k), y = v(1).native(k), z = v(2).native(k);
       const Wide xy = mix<0, 4, 2, 6>(x, y), yx = mix<1, 5, 3, 7>(x, y);
       const Wide rows[4] = {mix<0, 1, 4, 4>(xy, z), mix<0, 1, 5, 5>(yx, z), mix<2, 3, 6, 6>(xy, z),
-                            mix<2, 3, 7, 7>(yx, z)};  // z into the padding too: it is nobody's
+                            mix<2, 3, 7, 7>(yx, z)};  // z into the padding too, which is not used
       const Index* first = nodes.data() + k * width;
       const std::size_t left = count - std::min(count, k * width);
       [&]<int... q>(std::integer_sequence<int, q...>) {
@@ -119,7 +120,7 @@ struct Transposer<Pack<T, N>> {
   }
 };
 
-/// The same for the values and each derivative of dual numbers.
+/// Transposer for dual numbers: their values, then each derivative.
 template <class T, std::size_t N>
 struct Transposer<Dual<T, N>> {
   using Places = std::array<Index, lanes<T>>;
@@ -168,7 +169,7 @@ Eigen::Matrix<T, 3, static_cast<int>(n)> gather(const NodalField<LaneOf<T>>& fie
   return a;
 }
 
-/// Those of two fields, the second behind the first.
+/// Nodal vectors of two fields into lanes, the second behind the first.
 template <class T, std::size_t n>
 Eigen::Matrix<T, 3, static_cast<int>(2 * n)> gather(const NodalField<LaneOf<T>>& first,
                                                     const NodalField<LaneOf<T>>& second,

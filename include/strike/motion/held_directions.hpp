@@ -14,7 +14,7 @@
 
 namespace strike {
 
-/// What becomes of a direction of a node's motion that is not free: it does not move, or moves as it is told.
+/// State of a direction of a node's motion that is not free: at rest, or moved as prescribed.
 enum class Held { still, moved };
 
 namespace detail {
@@ -22,7 +22,7 @@ namespace detail {
 /// The directions that conditions take from the motion of nodes.
 class HeldDirections {
  public:
-  /// See Nodes::hold; `place` is for the message.
+  /// See Nodes::hold; `place` is the position in messages.
   Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& place, Eigen::Vector3d direction, Held how) {
     if (i >= first_.size()) first_.resize(i + 1, none);
     std::size_t* last = &first_[i];

@@ -7,11 +7,12 @@
 
 namespace strike {
 
-/// The energies of a scene at one time. What the outside has put in must be what the rest holds or has dissipated.
+/// The energies of a scene at one time. The initial energy and the external work must equal the energy held or
+/// dissipated.
 struct Energy {
   double kinetic =
-      0;  ///< sum of m v-.v+/2 over the velocities half a step before and after: what central differences keep
-  double internal = 0;        ///< work of the stresses, from what is stored at the start on
+      0;  ///< sum of m v-.v+/2 with the velocities half a step before and after, which central differences conserve
+  double internal = 0;        ///< work of the stresses, and the energy stored at the start
   double hourglass = 0;       ///< work against the hourglass control
   double bulk_viscosity = 0;  ///< dissipated by bulk viscosity
   double contact = 0;         ///< taken by contact: stored by penalties, lost in impacts of nodes on walls
@@ -26,25 +27,25 @@ struct Energy {
   }
   /// The largest of the energies that must balance: the scale of the error.
   double scale() const { return std::max({initial, std::abs(kinetic), std::abs(internal), std::abs(external)}); }
-  /// What the balance is off by.
+  /// Error of the balance.
   double imbalance() const { return held() - initial - external; }
-  /// The same relative to the scale.
+  /// Error of the balance relative to the scale.
   double error() const { return scale() > 0 ? imbalance() / scale() : 0.0; }
 };
 
-/// One kind of work on its way into the balance.
+/// One kind of work in the balance.
 class Account {
  public:
-  /// Work that belongs to the balance as it stands.
+  /// Books work that belongs to the present balance.
   void book(double work) { settled_ += work; }
-  /// The work of an impulse of a constraint at the time n, which acts along the mean of the velocities before and after
-  /// it: the half along the velocity before belongs to the balance at n, the other to the next.
+  /// Books the work of an impulse of a constraint at the time n, which acts along the mean of the velocities before and
+  /// after it: the half along the velocity before belongs to the balance at n, the other to the next.
   void book_impulse(double along_before, double along_after) {
     settled_ += 0.5 * along_before;
     before_ += 0.5 * along_before;
     pending_ += 0.5 * along_after;
   }
-  /// Begins the next step.
+  /// Moves the pending work into the balance, for the next step.
   void settle() {
     settled_ += pending_;
     before_ = pending_ = 0;
@@ -56,7 +57,7 @@ class Account {
   double settled_ = 0, before_ = 0, pending_ = 0;
 };
 
-/// The accounts that the pieces of a scene write into.
+/// The accounts that the items of a scene book in.
 struct Ledger {
   Account internal, hourglass, bulk_viscosity, contact, friction, damping, external, eroded;
   double kinetic = 0, initial = 0;
@@ -64,7 +65,7 @@ struct Ledger {
   void settle() {
     for (Account* account : {&contact, &friction, &external}) account->settle();
   }
-  /// What this step's impulses of constraints did along the velocities before them.
+  /// Work of this step's impulses of constraints along the velocities before them.
   double impulses_before() const {
     return external.impulses_before() - contact.impulses_before() - friction.impulses_before();
   }

@@ -11,16 +11,16 @@ namespace detail {
 template <class Real>
 struct NodalNumber {
   using Padded = Pack<Real, 4>;
-  using Told = double;
+  using Value = double;
 };
 template <class Real, std::size_t N>
 struct NodalNumber<Dual<Real, N>> {
   using Padded = Dual<Pack<Real, 4>, N>;
-  using Told = Dual<Real, N>;
+  using Value = Dual<Real, N>;
 };
 }  // namespace detail
 
-/// A vector at a node, padded so that it moves as one register; the fourth number is nobody's.
+/// A vector at a node in one register; the fourth component is padding.
 template <class Real>
 using Padded = typename detail::NodalNumber<Real>::Padded;
 
@@ -28,8 +28,8 @@ using Padded = typename detail::NodalNumber<Real>::Padded;
 template <class Real>
 using NodalField = std::vector<Padded<Real>>;
 
-/// What elements read and write, place by place: positions, velocities and forces, and of nodes that turn angular
-/// velocities and moments.
+/// Fields that elements read and write, place by place: positions, velocities and forces, and of nodes that turn
+/// angular velocities and moments.
 template <class Real, bool turn = false>
 struct Motion {
   NodalField<Real> position, velocity, force;

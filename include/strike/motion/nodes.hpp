@@ -21,17 +21,16 @@ namespace strike {
 
 /// The nodes of a scene in motion: position x, velocity v and force f of node i [consistent units] and its mass; where
 /// elements turn them (`turn`) their angular velocity w and moment too, and one moment of inertia for all directions.
-/// They are kept in Real and told and given in double, or if Real has derivatives in that. Node i lies in memory at
-/// place(i), chosen for locality. Elements work on `motion()` of ElementReal: the nodes' own, or if that is of another
-/// precision a copy.
+/// Stored as Real; the interface uses double, or Dual. Node i is in memory at place(i), chosen for locality. Elements
+/// work on `motion()` of ElementReal: the nodes' own, or if that is of another precision a copy.
 template <class Real, class ElementReal = Real, bool turn = false>
 class Nodes {
   using Plain = RealOf<Real>;
 
  public:
   static constexpr bool elements_have_copy = !std::is_same_v<Real, ElementReal>, nodes_turn = turn;
-  /// In what vectors are told and given.
-  using Number = typename detail::NodalNumber<Real>::Told;
+  /// Number of the interface: double or Dual.
+  using Number = typename detail::NodalNumber<Real>::Value;
   using Vector = Vector3<Number>;
 
   /// `order` names every node once, in the order of their places.
@@ -46,20 +45,20 @@ class Nodes {
   std::size_t size() const { return mass_.size(); }
 
   // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
-  const Vector x(std::size_t i) const { return told(own_.position[place_[i]]); }
-  const Vector v(std::size_t i) const { return told(own_.velocity[place_[i]]); }
-  const Vector f(std::size_t i) const { return told(own_.force[place_[i]]); }
+  const Vector x(std::size_t i) const { return vector_of(own_.position[place_[i]]); }
+  const Vector v(std::size_t i) const { return vector_of(own_.velocity[place_[i]]); }
+  const Vector f(std::size_t i) const { return vector_of(own_.force[place_[i]]); }
   double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
-  const Vector w(std::size_t i) const { return told(own_.angular_velocity[place_[i]]); }
-  const Vector moment(std::size_t i) const { return told(own_.moment[place_[i]]); }
+  const Vector w(std::size_t i) const { return vector_of(own_.angular_velocity[place_[i]]); }
+  const Vector moment(std::size_t i) const { return vector_of(own_.moment[place_[i]]); }
   double inertia(std::size_t i) const { return static_cast<double>(inertia_[place_[i]]); }
 
-  void set_position(std::size_t i, const Vector& x) { own_.position[place_[i]] = kept(x); }
-  void set_velocity(std::size_t i, const Vector& v) { own_.velocity[place_[i]] = kept(v); }
-  void add_force(std::size_t i, const Vector& change) { own_.force[place_[i]] = kept(f(i) + change); }
+  void set_position(std::size_t i, const Vector& x) { own_.position[place_[i]] = padded(x); }
+  void set_velocity(std::size_t i, const Vector& v) { own_.velocity[place_[i]] = padded(v); }
+  void add_force(std::size_t i, const Vector& change) { own_.force[place_[i]] = padded(f(i) + change); }
   void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Plain>(m); }
-  void set_angular_velocity(std::size_t i, const Vector& w) { own_.angular_velocity[place_[i]] = kept(w); }
-  void add_moment(std::size_t i, const Vector& change) { own_.moment[place_[i]] = kept(moment(i) + change); }
+  void set_angular_velocity(std::size_t i, const Vector& w) { own_.angular_velocity[place_[i]] = padded(w); }
+  void add_moment(std::size_t i, const Vector& change) { own_.moment[place_[i]] = padded(moment(i) + change); }
   void add_inertia(std::size_t i, double I) { inertia_[place_[i]] += static_cast<Plain>(I); }
 
   /// Error: there is no node of this number.
@@ -68,14 +67,14 @@ class Nodes {
       throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
                                   std::to_string(size()), " nodes; count them from 0."}));
   }
-  /// Takes a direction, a unit vector, from the motion of node i. Returns what of it was still free: a unit vector at
-  /// right angles to all directions taken before, or zero. Which motions are left does not depend on the order.
+  /// Takes a direction, a unit vector, from the motion of node i. Returns its part that was still free: a unit vector
+  /// at right angles to all directions taken before, or zero. The motions that are left do not depend on the order.
   /// Errors: no such node; one of two directions that are not at right angles is prescribed.
   Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& direction, Held how = Held::still) {
     check_number(i);
     return held_.hold(i, x(i).template cast<double>(), direction, how);
   }
-  /// The same for an axis about which the node could turn.
+  /// Takes an axis, a unit vector, from the rotation of node i; see hold.
   Eigen::Vector3d hold_turn(std::size_t i, const Eigen::Vector3d& axis, Held how = Held::still) {
     check_number(i);
     return held_turns_.hold(i, x(i).template cast<double>(), axis, how);
@@ -88,30 +87,30 @@ class Nodes {
     return held_.free(i, a);
   }
 
-  /// The spacing of the numbers where node i is [length].
+  /// Spacing of floating-point numbers at the position of node i [length].
   double resolution(std::size_t i) const {
     const Eigen::Vector3d at = x(i).template cast<double>();
     return static_cast<double>(std::numeric_limits<Plain>::epsilon()) *
            std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }
 
-  /// Gives the nodes at these places others behind all, where patches of elements have them to themselves.
+  /// Adds copies of the nodes at these places behind all others, each for one patch of elements alone.
   void add_ghosts(const std::vector<Index>& places) {
     motion().resize(number_.size() + places.size());
     for (const Index place : places) number_.push_back(number_[place]);
   }
-  /// How many places there are: those of the nodes, and after them those of ghosts.
+  /// Number of places: those of the nodes, and after them those of ghosts.
   Index places() const { return static_cast<Index>(number_.size()); }
 
-  /// Where node i lies in the fields, and the number of the node that lies at a place.
+  /// Place of node i in the fields, and number of the node at a place.
   Index place(std::size_t i) const { return place_[i]; }
   Index number(std::size_t place) const { return number_[place]; }
 
-  // The fields, place by place, and how they keep a vector.
-  static Vector told(const Padded<Real>& a) {
+  // The fields, place by place, and conversions of their vectors.
+  static Vector vector_of(const Padded<Real>& a) {
     return {static_cast<Number>(lane(a, 0)), static_cast<Number>(lane(a, 1)), static_cast<Number>(lane(a, 2))};
   }
-  static Padded<Real> kept(const Vector& a) {
+  static Padded<Real> padded(const Vector& a) {
     Padded<Real> b = 0;
     for (int c = 0; c < 3; ++c) set_lane(b, static_cast<std::size_t>(c), static_cast<Real>(a(c)));
     return b;
@@ -122,7 +121,7 @@ class Nodes {
   const NodalField<Real>& position() const { return own_.position; }
   const NodalField<Real>& velocity() const { return own_.velocity; }
   const NodalField<Real>& force() const { return own_.force; }
-  /// What elements work on.
+  /// Fields that elements work on.
   Motion<ElementReal, turn>& motion() {
     if constexpr (elements_have_copy)
       return copy_;

@@ -17,21 +17,21 @@
 
 namespace strike {
 
-/// How things tell what they remember, all with one function of theirs, which writes, reads and compares:
+/// The interface of a checkpoint to an object with a state: one function of the object, which writes, reads and
+/// compares:
 ///
 ///     template <class Archive>
 ///     void serialize(Archive& archive) {
-///       archive(position_, velocity_);  // changes as a run goes on: is written, and comes back
-///       archive.same(mass_);            // follows from the scene: has to be the same there and here
+///       archive(position_, velocity_);  // changes during a run: written and restored
+///       archive.same(mass_);            // follows from the scene: must be equal when read
 ///     }
 ///
-/// An archive takes numbers and what is copied as bytes, Eigen's vectors and matrices of fixed size, std::string,
-/// std::vector, std::span and std::tuple of such things, and whatever has such a function.
-/// An archive that writes, one that reads and one that compares are the same type to them, so that a compiler sees each
-/// such function once.
+/// An archive takes numbers and other types that can be copied as bytes, Eigen's vectors and matrices of fixed size,
+/// std::string, std::vector, std::span and std::tuple of these, and every type with such a function. Archives that
+/// write, read and compare are of one type, so that each such function is compiled once.
 class Archive {
  public:
-  /// Whether what it is given takes what was kept.
+  /// True if the archive restores values, false if it writes them.
   bool reads() const { return reads_; }
 
   template <class... Values>
@@ -47,11 +47,11 @@ class Archive {
   explicit Archive(bool reads) : reads_(reads) {}
   ~Archive() = default;
 
-  /// Writes or reads so many bytes.
+  /// Writes or reads `count` bytes.
   virtual void bytes(void* at, std::size_t count) = 0;
-  /// Takes note of bytes that have to be the same.
+  /// Includes bytes that must be equal in the fingerprint.
   virtual void note(const void*, std::size_t) {}
-  /// Before a list takes so many elements that were kept.
+  /// Error: the file holds fewer than `count` bytes, so that a list cannot have `count` elements.
   virtual void allow(std::uint64_t) {}
 
  private:
@@ -87,9 +87,10 @@ class Archive {
     else if constexpr (is_plain<T>)
       bytes(&value, sizeof value);
     else
-      static_assert(is_plain<T>,
-                    "strike: an Archive does not know how to keep this: give its type template <class Archive> void "
-                    "serialize(Archive& archive) { archive(...); } with all that it remembers.");
+      static_assert(
+          is_plain<T>,
+          "strike: an Archive cannot save this type: give it template <class Archive> void serialize(Archive& "
+          "archive) { archive(...); } with its state.");
   }
 
   template <class List>
@@ -143,7 +144,7 @@ class Hash {
   std::uint64_t value_ = 0x9e3779b97f4a7c15u;
 };
 
-/// What has to be the same in a scene that goes on from a checkpoint, as one number.
+/// One number of everything that must be equal in a scene that continues from a checkpoint.
 class Fingerprint final : public Archive {
  public:
   Fingerprint() : Archive(false) {}

@@ -21,7 +21,7 @@ namespace strike {
 
 namespace detail {
 
-// A checkpoint file: Head, what the things remember, Tail. Integers and numbers as the machine has them.
+// A checkpoint file: head, states of the objects, tail, in the machine's formats of numbers.
 struct CheckpointHead {
   char magic[8] = {'s', 't', 'r', 'i', 'k', 'e', 'c', 'p'};
   std::uint32_t version = 1;
@@ -29,8 +29,8 @@ struct CheckpointHead {
 };
 struct CheckpointTail {
   std::uint64_t scene = 0;     ///< Fingerprint
-  std::uint64_t size = 0;      ///< of what is between, in bytes
-  std::uint64_t checksum = 0;  ///< Hash of the same, a piece after the other
+  std::uint64_t size = 0;      ///< of the states between head and tail [bytes]
+  std::uint64_t checksum = 0;  ///< Hash of the states, piece by piece
 };
 inline constexpr std::size_t checkpoint_piece = 1 << 20;  // bytes
 
@@ -72,7 +72,7 @@ class CheckpointWriter final : public Archive {
   CheckpointTail tail_;
 };
 
-/// Reads a file that is sound: it is looked at from end to end first.
+/// Verifies the checksum before restoring anything.
 class CheckpointReader final : public Archive {
  public:
   /// Errors: no such file; not a checkpoint, of another format or machine, damaged, or of another scene.
@@ -83,24 +83,24 @@ class CheckpointReader final : public Archive {
     const CheckpointHead ours;
     if (!get(&head, sizeof head) || std::memcmp(head.magic, ours.magic, sizeof head.magic) != 0)
       refuse("is none; give the path of a file that a Checkpoint has written");
-    if (head.byte_order != ours.byte_order) refuse("is of another kind of machine; go on where it was written");
+    if (head.byte_order != ours.byte_order) refuse("is of another kind of machine; continue where it was written");
     if (head.version != ours.version)
       refuse(joined({"has the format ", std::to_string(head.version), " but this version of strike reads ",
-                     std::to_string(ours.version), "; go on with the version that wrote it"}));
+                     std::to_string(ours.version), "; continue with the version that wrote it"}));
     if (read_tail().scene != scene)
       refuse(
-          "is of another scene: its mesh, elements, materials, numbers or observers differ; go on with the program "
+          "is of another scene: its mesh, elements, materials, numbers or observers differ; continue with the program "
           "that wrote it");
     std::fseek(file_.stream, sizeof head, SEEK_SET);
   }
 
   void finish() const {
-    if (left_ > 0) refuse("holds more than the scene asks for; begin anew");
+    if (left_ > 0) refuse("holds more than the scene has; start anew");
   }
 
  private:
   void allow(std::uint64_t count) override {
-    if (count > left_) refuse("holds less than the scene asks for; begin anew");
+    if (count > left_) refuse("holds less than the scene has; start anew");
   }
   void bytes(void* to, std::size_t count) override {
     allow(count);
@@ -114,7 +114,7 @@ class CheckpointReader final : public Archive {
     Hash hash;
     CheckpointTail tail;
     std::string piece(checkpoint_piece + sizeof tail, '\0');
-    std::size_t kept = 0;  // what may be the tail is kept back
+    std::size_t kept = 0;  // bytes held back, since they may be the tail
     for (std::size_t got = 1; got > 0;) {
       got = std::fread(piece.data() + kept, 1, piece.size() - kept, file_.stream);
       kept += got;
@@ -130,7 +130,7 @@ class CheckpointReader final : public Archive {
       std::memcpy(&tail, piece.data() + kept - sizeof tail, sizeof tail);
     }
     if (kept < sizeof tail || tail.size != left_ || tail.checksum != hash.value())
-      refuse("is cut short or damaged; take an older one, or begin anew");
+      refuse("is cut short or damaged; take an older one, or start anew");
     return tail;
   }
 
@@ -149,22 +149,21 @@ class CheckpointReader final : public Archive {
   std::uint64_t left_ = 0;
 };
 
-template <class... Things>
-std::uint64_t fingerprint_of(Things&... things) {
+template <class... Objects>
+std::uint64_t fingerprint_of(Objects&... objects) {
   Fingerprint fingerprint;
-  fingerprint(things...);
+  fingerprint(objects...);
   return fingerprint.value();
 }
 
-/// Whether all that belongs to it tells what it remembers; what does not gets one sentence.
-template <class Thing>
+/// True if every item of a run has a serialize function; else one sentence of the compiler.
+template <class Object>
 constexpr bool remembers() {
-  if constexpr (requires { Thing::template remembers<Archive>(); }) {
-    constexpr bool all = Thing::template remembers<Archive>();
+  if constexpr (requires { Object::template remembers<Archive>(); }) {
+    constexpr bool all = Object::template remembers<Archive>();
     static_assert(all,
-                  "strike: a thing of this Scene does not tell a checkpoint what it remembers: give it template <class "
-                  "Archive> void serialize(Archive& archive) { archive(...); }, with empty braces if it remembers "
-                  "nothing.");
+                  "strike: an item of this Scene has no function serialize for a checkpoint: give it template <class "
+                  "Archive> void serialize(Archive& archive) { archive(...); }, with empty braces if it has no state.");
     return all;
   } else {
     return true;
@@ -173,48 +172,48 @@ constexpr bool remembers() {
 
 }  // namespace detail
 
-/// Writes what things remember (a run, its history and film, your own numbers; see Archive) into one file: whole, or
-/// what was there before stays. It has a version and a checksum.
-template <class... Things>
-void write_checkpoint(const std::string& path, Things&... things) {
-  if constexpr ((detail::remembers<Things>() && ...))
+/// Writes the states of a run, its history and film, and numbers of your own (see Archive) into one file with a version
+/// and a checksum. If that fails, the old file stays.
+template <class... Objects>
+void write_checkpoint(const std::string& path, Objects&... objects) {
+  if constexpr ((detail::remembers<Objects>() && ...))
     detail::replace_file(path, [&](detail::OutputFile& file) {
       detail::CheckpointWriter archive(file);
-      archive(things...);
+      archive(objects...);
       archive.finish();
     });
 }
 
-/// Puts the same things, made anew by the same program, where they were. Errors, before anything is changed: there is
-/// no such file, it is damaged, or of another scene.
-template <class... Things>
-void read_checkpoint(const std::string& path, Things&... things) {
-  if constexpr ((detail::remembers<Things>() && ...)) {
-    detail::CheckpointReader archive(path, detail::fingerprint_of(things...));
-    archive(things...);
+/// Restores the states of the same objects, made anew by the same program. Errors, before anything is changed: no such
+/// file; a damaged file; a file of another scene.
+template <class... Objects>
+void read_checkpoint(const std::string& path, Objects&... objects) {
+  if constexpr ((detail::remembers<Objects>() && ...)) {
+    detail::CheckpointReader archive(path, detail::fingerprint_of(objects...));
+    archive(objects...);
     archive.finish();
   }
 }
 
-/// Whether a run begins where its checkpoint left it, if there is one.
+/// Start of a run: always anew, or from its checkpoint if there is one.
 enum class Restart { never, if_there };
 
-/// When a Checkpoint is written: as soon as one of the two has passed since the last.
+/// Times at which a Checkpoint is written: when either interval since the last has passed.
 struct CheckpointOptions {
   double interval = std::numeric_limits<double>::infinity();  ///< of the run [time]
-  double seconds = 60;                                        ///< of the clock on the wall
+  double seconds = 60;                                        ///< of wall-clock time
   Restart restart = Restart::never;
 };
 
-/// An observer that keeps a run in a file from which it can go on, to the bit, after whatever has ended it: with all
-/// observers of the same `until`, and with its companions, what these write or collect:
+/// An observer that saves a run, the observers of the same `until` and its companions to a file, from which the run
+/// continues after any interruption with bitwise the same results:
 ///
 ///   History history{"history.csv", {{"time", "ms"}, {"length", "mm"}}};
 ///   run.until(0.08, Every{0.001, [&] { history.row(run.time(), length()); }},
 ///             Checkpoint{"bar.checkpoint", {.restart = Restart::if_there}, history});
 ///
-/// What stands in a History after the checkpoint is cut off, so that nothing is missing or there twice. Constants of
-/// materials and the options of the run are the program's, and may be changed in between.
+/// Rows of a History after the checkpoint are removed and written anew, so that no row is missing or doubled. Constants
+/// of materials and options of the run are not in the file: the program may change them in between.
 template <class... Companions>
 class Checkpoint {
  public:
@@ -223,13 +222,13 @@ class Checkpoint {
   Checkpoint(std::string path, const CheckpointOptions& options, Companions&... companions)
       : path_(std::move(path)), options_(options), companions_(companions...) {
     if (!(options.interval > 0 && options.seconds > 0))
-      throw Error(detail::joined({"strike: the Checkpoint '", path_, "' is to be written every ",
-                                  detail::text(options.interval), " of the run or ", detail::text(options.seconds),
-                                  " seconds; both must be positive."}));
+      throw Error(
+          detail::joined({"strike: the Checkpoint '", path_, "' has the interval ", detail::text(options.interval),
+                          " and the seconds ", detail::text(options.seconds), "; give positive ones."}));
   }
 
-  void operator()() const {}  // it looks when all others have
-  /// Before a run begins: whether it has been put to where the file says.
+  void operator()() const {}  // `save` runs after the other observers
+  /// Restores the run before it starts; true if there was a file.
   template <class Run, class Observers>
   bool resume(Run& run, Observers observers) {
     start_clocks(run);
@@ -242,7 +241,7 @@ class Checkpoint {
     }
     return false;
   }
-  /// After each step, when the other observers have seen it.
+  /// Writes the file if it is due: after each step, after the other observers.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
     if (run.time() < next_ && detail::wall_clock() < alarm_) return;
@@ -258,7 +257,7 @@ class Checkpoint {
     alarm_ = detail::wall_clock() + options_.seconds;
   }
 
-  /// The run, the companions, and those of the observers that remember something.
+  /// The run, the companions, and the observers that have a state.
   template <class Run, class Observers>
   struct All {
     Run& run;

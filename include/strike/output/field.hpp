@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <strike/error.hpp>
@@ -15,7 +16,7 @@ template <class T>
 struct SymmetricTensor;
 
 namespace detail {
-/// Types that are nothing but a fixed number of doubles.
+/// True of types that are a fixed number of doubles and nothing else.
 template <class Row>
 inline constexpr bool is_row = false;
 template <class Row>
@@ -25,41 +26,44 @@ template <>
 inline constexpr bool is_row<SymmetricTensor<double>> = true;
 }  // namespace detail
 
-/// A view of rows of numbers that someone else keeps: scalars, vectors or tensors, one per node or cell.
+/// Rows of numbers, one per node or cell: scalars, vectors or tensors. They are a copy, so that the vector that they
+/// come from may go.
 class Rows {
  public:
-  /// `components` numbers a row; rows begin `stride` numbers apart (by default they follow each other).
-  Rows(std::span<const double> numbers, std::size_t components, std::size_t stride = 0)
-      : data_(numbers.data()), components_(components), stride_(stride ? stride : components) {
-    if (components < 1 || stride_ < components)
-      throw Error(
-          detail::joined({"Rows of ", std::to_string(components), " numbers cannot begin ", std::to_string(stride_),
-                          " apart: give at least one number a row and a stride that holds it."}));
-    count_ = (numbers.size() + stride_ - components) / stride_;
+  /// `components` numbers a row; rows start `stride` numbers apart (by default they follow each other).
+  Rows(std::span<const double> numbers, std::size_t components, std::size_t stride = 0) : components_(components) {
+    if (stride == 0) stride = components;
+    if (components < 1 || stride < components)
+      throw Error(detail::joined({"strike: rows of ", std::to_string(components), " numbers cannot start ",
+                                  std::to_string(stride),
+                                  " apart: give at least one number a row and a stride that holds it."}));
+    for (std::size_t first = 0; first + components <= numbers.size(); first += stride)
+      numbers_.insert(numbers_.end(), numbers.data() + first, numbers.data() + first + components);
   }
 
-  Rows(const std::vector<double>& numbers) : Rows(numbers, 1) {}
+  Rows(std::vector<double> numbers) : numbers_(std::move(numbers)), components_(1) {}
 
   /// A vector of fixed arrays of double, as they are stored: `Eigen::Vector3d` (3), `std::array<double, N>` (N),
   /// `SymmetricTensor<double>` (6: xx yy zz xy yz zx).
   template <class Row>
     requires detail::is_row<Row>
-  Rows(const std::vector<Row>& rows)
-      : data_(reinterpret_cast<const double*>(rows.data())),
-        count_(rows.size()),
-        components_(sizeof(Row) / sizeof(double)),
-        stride_(components_) {}
+  Rows(const std::vector<Row>& rows) : components_(sizeof(Row) / sizeof(double)) {
+    const auto* numbers = reinterpret_cast<const double*>(rows.data());
+    numbers_.assign(numbers, numbers + rows.size() * components_);
+  }
 
-  std::size_t size() const { return count_; }
+  std::size_t size() const { return numbers_.size() / components_; }
   std::size_t components() const { return components_; }
-  std::span<const double> operator[](std::size_t row) const { return {data_ + row * stride_, components_}; }
+  std::span<const double> operator[](std::size_t row) const {
+    return {numbers_.data() + row * components_, components_};
+  }
 
  private:
-  const double* data_;
-  std::size_t count_ = 0, components_, stride_;
+  std::vector<double> numbers_;
+  std::size_t components_;
 };
 
-/// Numbers with a name, one row per node or per cell.
+/// Rows of numbers with a name, one per node or per cell.
 struct Field {
   std::string name;
   Rows rows;

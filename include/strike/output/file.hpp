@@ -14,10 +14,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// By POSIX: <filesystem> would cost each program that includes strike a twentieth of its compile time.
+// POSIX, since <filesystem> costs a twentieth of the compile time of a program.
 namespace strike::detail {
 
-/// Makes the folder that a file lies in, and those above it, where they are not there.
+/// Makes the folder of a file and the folders above it, where they are not there.
 [[gnu::cold]] inline void make_folder_of(const std::string& path) {
   for (std::size_t end = path.find('/', 1); end != std::string::npos; end = path.find('/', end + 1))
     ::mkdir(path.substr(0, end).c_str(), 0777);  // fails where it is there; fopen says what is wrong
@@ -31,17 +31,16 @@ namespace strike::detail {
   return true;
 }
 
-/// A file being written. Its folder is made if it is not there; what was in it stays until the first `write`. What that
-/// was given is with the operating system when it returns, so that it survives the end of the program, however that
-/// comes.
+/// A file being written. Its folder is made if it is not there; the old content stays until the first `write`. When
+/// `write` returns, the operating system has the text, so that it survives a crash of the program.
 class OutputFile {
  public:
   [[gnu::cold]] explicit OutputFile(std::string path) : path_(std::move(path)) {
     make_folder_of(path_);
     file_ = std::fopen(path_.c_str(), "ab");
     if (!file_)
-      throw Error(detail::joined(
-          {"File '", path_, "' cannot be opened for writing: choose a path in a folder that you may write to."}));
+      throw Error(detail::joined({"strike: the file '", path_,
+                                  "' cannot be opened for writing: choose a path in a folder that you may write to."}));
   }
   OutputFile(OutputFile&& other) noexcept
       : path_(std::move(other.path_)), file_(std::exchange(other.file_, nullptr)), size_(other.size_) {}
@@ -59,31 +58,33 @@ class OutputFile {
     if (size_ == 0) cut(0);
     size_ += text.size();
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0)
-      throw Error(
-          detail::joined({"File '", path_, "' cannot be written to the end: make room on its disk and run again."}));
+      throw Error(detail::joined(
+          {"strike: the file '", path_, "' cannot be written to the end: make room on its disk and run again."}));
   }
 
-  /// Goes on behind the first bytes of what was in the file, and cuts the rest off. Error: there are fewer.
+  /// Continues after the first bytes of the old content and removes the rest. Error: the file is shorter.
   [[gnu::cold]] void go_on_behind(std::uint64_t bytes) {
     cut(bytes);
     if (std::uint64_t there = 0; !has_size(path_, there) || there != bytes)
-      throw Error(joined({"File '", path_, "' is not as long as when the run was saved: put it back, or begin anew."}));
+      throw Error(joined(
+          {"strike: the file '", path_, "' is not as long as when the run was saved: put it back, or start anew."}));
     size_ = bytes;
   }
-  /// How much has been written, in bytes.
+  /// Size of the text written [bytes].
   std::uint64_t size() const { return size_; }
 
-  /// Waits until it is on the disk, where the operating system can tell.
+  /// Waits until the text is on the disk, as far as the operating system knows.
   void sync() { ::fsync(::fileno(file_)); }
 
   const std::string& path() const { return path_; }
 
  private:
-  /// If it is longer; what is no file on a disk has no length.
+  /// Shortens the file to this size, if it is a file on a disk and longer.
   [[gnu::cold]] void cut(std::uint64_t bytes) {
     if (std::uint64_t there = 0;
         has_size(path_, there) && there > bytes && ::truncate(path_.c_str(), static_cast<::off_t>(bytes)) != 0)
-      throw Error(joined({"File '", path_, "' cannot be cut (", std::strerror(errno), "): make it writable."}));
+      throw Error(
+          joined({"strike: the file '", path_, "' cannot be cut (", std::strerror(errno), "): make it writable."}));
   }
 
   std::string path_;
@@ -91,8 +92,8 @@ class OutputFile {
   std::uint64_t size_ = 0;
 };
 
-/// Writes a file whole, by `write(OutputFile&)`, or leaves what was there: a reader or a killed run never meets half of
-/// it.
+/// Writes a file whole, by `write(OutputFile&)`, or leaves the old file: a reader never finds half of it, even after a
+/// killed run.
 template <std::invocable<OutputFile&> Write>
 void replace_file(const std::string& path, const Write& write) {
   const std::string part = path + ".part";
@@ -101,8 +102,8 @@ void replace_file(const std::string& path, const Write& write) {
     write(file);
   }
   if (std::rename(part.c_str(), path.c_str()) != 0)
-    throw Error(detail::joined(
-        {"File '", path, "' cannot be replaced (", std::strerror(errno), "): close or remove what is there."}));
+    throw Error(detail::joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
+                                "): close or remove what is there."}));
 }
 
 [[gnu::cold]] inline void replace_file(const std::string& path, std::string_view content) {

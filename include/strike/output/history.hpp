@@ -19,15 +19,15 @@ struct Column {
   std::string unit = {};  ///< without brackets; empty for a plain number
 };
 
-/// A CSV file that grows by a row whenever something is known: `history.row(t, length, energy)`. The head names columns
-/// as `name [unit]` and comes with the first row. Numbers are the shortest that read back the same. Each row is
-/// complete in the file when `row` returns, even if the program is killed after. Errors: the file cannot be opened or
-/// written; a row of another length.
+/// A CSV file that grows row by row: `history.row(t, length, energy)`. The head, written with the first row, names
+/// columns as `name [unit]`. Numbers have the shortest text that reads back the same. Each row is complete in the file
+/// when `row` returns, even if the program is killed later. Errors: the file cannot be opened or written; a row of
+/// another length.
 class History {
  public:
   History(std::string path, const std::vector<Column>& columns) : columns_(columns.size()), file_(std::move(path)) {
     if (columns.empty())
-      throw Error(detail::joined({"History '", file_.path(), "' has no columns: name at least one."}));
+      throw Error(detail::joined({"strike: the History '", file_.path(), "' has no columns: name at least one."}));
     for (const Column& column : columns) {
       if (!line_.empty()) line_ += ',';
       line_ += detail::csv_escaped(column.unit.empty() ? column.name
@@ -38,9 +38,9 @@ class History {
 
   void row(std::span<const double> values) {
     if (values.size() != columns_)
-      throw Error(detail::joined({"History '", file_.path(), "' has ", std::to_string(columns_), " columns, but row ",
-                                  std::to_string(rows_), " brings ", std::to_string(values.size()),
-                                  " values: give one for each column."}));
+      throw Error(detail::joined({"strike: the History '", file_.path(), "' has ", std::to_string(columns_),
+                                  " columns, but row ", std::to_string(rows_), " brings ",
+                                  std::to_string(values.size()), " values: give one for each column."}));
     if (rows_ > 0) line_.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) line_ += ',';
@@ -71,7 +71,7 @@ class History {
  private:
   std::size_t columns_, rows_ = 0;
   detail::OutputFile file_;
-  std::string line_;  // the head until the first row is written
+  std::string line_;  // the head, until the first row is written
 };
 
 }  // namespace strike

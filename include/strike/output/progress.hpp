@@ -16,20 +16,21 @@
 
 namespace strike {
 
-/// When the progress line is shown.
+/// Condition under which the progress line is shown.
 enum class Show { on_terminal, always, never };
 
 /// Options of a progress line.
 struct ProgressOptions {
-  double end = 0;                 ///< time at which the run ends; 0: the one that its until has been given [time]
+  double end = 0;                 ///< time at which the run ends; 0: the end of its `until` [time]
   std::string unit = {};          ///< of time
-  Show show = Show::on_terminal;  ///< by default only to a person
+  Show show = Show::on_terminal;  ///< by default only on a terminal
   std::FILE* stream = stderr;
 };
 
-/// An observer that shows on a terminal how far a run is: percent, time, step number, dt, energy error, estimated rest.
+/// An observer with a progress line on a terminal: percent, time, step number, dt, energy error, estimated rest of the
+/// wall-clock time.
 ///   run.until(0.08, Progress{{.unit = "ms"}});
-/// It draws at most four times a second, and at the end, and looks at the clock about forty times a second; a call
+/// The line is drawn at most four times a second, and at the end; the clock is read about forty times a second; a call
 /// between costs two comparisons. A loop of your own calls update(time, step, dt, error), where the relative error is a
 /// number, or a function that is called only if a line is drawn.
 class Progress {

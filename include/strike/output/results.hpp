@@ -14,7 +14,7 @@
 
 namespace strike {
 
-/// A number that a run found, beside the one that it should have found.
+/// A result of a run beside its reference.
 struct Result {
   std::string quantity;
   double value;
@@ -29,7 +29,7 @@ struct Result {
   double difference() const { return 100 * (value - reference) / std::abs(reference); }
 };
 
-/// The table of what a run found: `results.add({.quantity = "length", .value = 21.52, .unit = "mm", .reference = 21.47,
+/// The table of a run's results: `results.add({.quantity = "length", .value = 21.52, .unit = "mm", .reference = 21.47,
 /// .tolerance = .08, .source = "X3D"})`, then `write("results.csv")` and `print()`.
 class Results {
  public:

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -13,6 +14,7 @@
 
 #include <strike/element/element.hpp>
 #include <strike/error.hpp>
+#include <strike/material/kinematics.hpp>
 #include <strike/material/point_values.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/output/field.hpp>
@@ -38,7 +40,7 @@ inline void append_base64(std::string& text, std::string_view bytes) {
   }
 }
 
-/// A DataArray of a VTK XML file: 8 bytes that count the bytes, then the numbers, in base64.
+/// A DataArray of a VTK XML file: the size in 8 bytes, then the numbers, in base64.
 template <class Number>
 class DataArray {
  public:
@@ -69,24 +71,27 @@ class DataArray {
   std::string bytes_;
 };
 
-[[gnu::cold]] inline void write_field(Xml& xml, const Field& field, std::size_t rows, std::string_view of_what) {
-  if (field.rows.size() != rows)
-    throw Error(joined({"Field '", field.name, "' has ", std::to_string(field.rows.size()), " rows for ",
-                        std::to_string(rows), " ", of_what, ": give one row for each."}));
+[[gnu::cold]] inline void write_rows(Xml& xml, std::string_view name, const Rows& rows) {
   DataArray<double> data;
-  for (std::size_t i = 0; i < rows; ++i)
-    for (const double number : field.rows[i]) data.push_back(number);
-  data.write(xml, field.name, field.rows.components());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const double number : rows[i]) data.push_back(number);
+  data.write(xml, name, rows.components());
 }
-
-}  // namespace detail
-
-namespace detail {
+[[gnu::cold]] inline void write_fields(Xml& xml, const std::vector<Field>& fields, std::size_t count,
+                                       std::string_view of_what) {
+  for (const Field& field : fields) {
+    if (field.rows.size() != count)
+      throw Error(joined({"strike: the field '", field.name, "' has ", std::to_string(field.rows.size()), " rows for ",
+                          std::to_string(count), " ", of_what, ": give one row for each."}));
+    write_rows(xml, field.name, field.rows);
+  }
+}
 
 /// Cells of a VTU file.
 class VtuCells {
  public:
-  /// VTK's number of the kind of a cell with n corners, of which VTK numbers those of 1 to 8 as we do.
+  /// VTK's number of the kind of a cell with n corners, whose order is that of VTK. A cell without a kind of its own is
+  /// drawn as its nodes.
   static constexpr std::uint8_t kind(std::size_t n, bool solid) {
     switch (n) {
       case 1:
@@ -97,13 +102,17 @@ class VtuCells {
         return 5;  // VTK_TRIANGLE
       case 4:
         return solid ? 10 : 9;  // VTK_TETRA, VTK_QUAD
+      case 5:
+        if (solid) return 14;  // VTK_PYRAMID
+        break;
       case 6:
-        return 13;  // VTK_WEDGE
+        if (solid) return 13;  // VTK_WEDGE
+        break;
       case 8:
-        return 12;  // VTK_HEXAHEDRON
-      default:
-        return 2;  // VTK_POLY_VERTEX
+        if (solid) return 12;  // VTK_HEXAHEDRON
+        break;
     }
+    return 2;  // VTK_POLY_VERTEX
   }
   template <class Cell>
   void add(const Cell& cell, std::uint8_t kind) {
@@ -144,16 +153,16 @@ class VtuCells {
   xml.close();
   xml.open("Piece", {{"NumberOfPoints", nodes}, {"NumberOfCells", cells.size()}});
   xml.open("Points");
-  write_field(xml, {"Points", positions}, nodes, "nodes");
+  write_rows(xml, "Points", positions);
   xml.close();
   xml.open("Cells");
   cells.write(xml);
   xml.close();
   xml.open("PointData");
-  for (const Field& field : node_fields) write_field(xml, field, nodes, "nodes");
+  write_fields(xml, node_fields, nodes, "nodes");
   xml.close();
   xml.open("CellData");
-  for (const Field& field : cell_fields) write_field(xml, field, cells.size(), "cells");
+  write_fields(xml, cell_fields, cells.size(), "cells");
   for (int tag = 0; tag < 4; ++tag) xml.close();
   replace_file(path, xml.str());
 }
@@ -170,7 +179,7 @@ class VtuCells {
   const std::size_t nodes = mesh.nodes.size();
   if (positions.size() != nodes || positions.components() != 3)
     throw Error(
-        detail::joined({"VTU file '", path, "' needs 3 coordinates for each of ", std::to_string(nodes),
+        detail::joined({"strike: the VTU file '", path, "' needs 3 coordinates for each of ", std::to_string(nodes),
                         " nodes, but got ", std::to_string(positions.size()), " rows of ",
                         std::to_string(positions.components()), ": give the positions of the nodes of the mesh."}));
   detail::VtuCells cells;
@@ -194,7 +203,9 @@ void write_vtu(const std::string& path, const Run& run) {
     const auto all = part.cells(run.nodes());
     const std::vector<SymmetricTensor<double>> stress = part.field(StressTensor<typename Part::Number>{});
     const std::vector<double> plastic_strain = part.field(PlasticStrain{});
-    constexpr auto kind = detail::VtuCells::kind(Part::n, !turns_nodes<typename Part::Element>());
+    constexpr bool flat = turns_nodes<typename Part::Element>() ||
+                          std::same_as<typename Part::Element::Kinematics, PlaneStressKinematics>;
+    constexpr auto kind = detail::VtuCells::kind(Part::n, !flat);
     for (std::size_t e = 0; e < all.size(); ++e) {
       if (!alive[e]) continue;
       cells.add(all[e], kind);
@@ -209,7 +220,7 @@ void write_vtu(const std::string& path, const Run& run) {
 }
 
 /// A film for ParaView: `stem_0000.vtu`, `stem_0001.vtu`, ... and two lists of them, `stem.pvd` and `stem.vtu.series`
-/// (open either). The lists are rewritten whole after each file, so that those of a run that was killed still open.
+/// (open either). The lists are rewritten whole after each file, so that the film of a killed run opens too.
 class VtuSeries {
  public:
   /// `stem` is the path without extension, e.g. "out/taylor".
@@ -218,17 +229,15 @@ class VtuSeries {
   /// Adds one time; see `write_vtu`. Fields may be listed in place: `{{"velocity", v}}, {{"plastic strain", eps}}`.
   [[gnu::cold]] void write(double time, const Mesh& mesh, const Rows& positions,
                            const std::vector<Field>& node_fields = {}, const std::vector<Field>& cell_fields = {}) {
-    const std::size_t k = times_.size();
+    write_vtu(stem_ + number(times_.size()), time, mesh, positions, node_fields, cell_fields);
     times_.push_back(time);
-    write_vtu(stem_ + number(k), time, mesh, positions, node_fields, cell_fields);
     write_lists();
   }
   /// Adds the state of a run: velocities, parts, stresses and plastic strains, see `write_vtu`.
   template <class Run>
   void write(const Run& run) {
-    const std::size_t k = times_.size();
+    write_vtu(stem_ + number(times_.size()), run);
     times_.push_back(run.time());
-    write_vtu(stem_ + number(k), run);
     write_lists();
   }
 

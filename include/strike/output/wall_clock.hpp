@@ -1,6 +1,8 @@
 #pragma once
 #include <ctime>
 
+#include <strike/cxx20.hpp>
+
 namespace strike::detail {
 
 /// Time on a clock that never goes back [s]. (<chrono> takes ten times as long to compile.)

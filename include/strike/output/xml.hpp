@@ -74,7 +74,7 @@ class Xml {
     begin(tag, attributes);
     text_ += "/>\n";
   }
-  /// With text inside that is already XML.
+  /// An element with content that is already XML.
   [[gnu::cold]] void element(std::string_view tag, Attributes attributes, std::string_view content) {
     begin(tag, attributes);
     text_ += '>';

@@ -8,7 +8,8 @@
 namespace strike {
 
 /// Guard that makes its thread treat denormal numbers as zero, as operands and as results, while it exists. On x86 each
-/// of them costs some hundred cycles: bodies nearly at rest would run ten times slower than others. No effect elsewhere.
+/// of them costs some hundred cycles: bodies nearly at rest would run ten times slower than others. No effect
+/// elsewhere.
 class FlushDenormals {
  public:
 #if defined(__SSE__)

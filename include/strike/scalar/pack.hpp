@@ -46,7 +46,7 @@ constexpr Result by_register(F f) {
 
 }  // namespace detail
 
-/// How many numbers of type T one register of the target holds.
+/// Numbers of type T in one register of the target.
 template <class T>
 inline constexpr std::size_t native_lanes = detail::register_bytes / sizeof(T);
 

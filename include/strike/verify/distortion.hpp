@@ -16,7 +16,7 @@
 #include <strike/verify/eigenmodes.hpp>
 #include <strike/verify/single_element.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// The largest stable step of an element alone, claimed and exact [time].
 struct StepStudy {
@@ -28,7 +28,7 @@ struct StepStudy {
   double ratio() const { return exact / claimed; }
 };
 
-/// Asks an element for its step while its nodes move at the velocities v.
+/// Stable step of an element whose nodes move at the velocities v.
 template <class E, class M>
 StepStudy step_study(SingleElement<E, M> single,
                      const Nodal<double, motions<E>>& v = Nodal<double, motions<E>>::Zero()) {
@@ -37,7 +37,7 @@ StepStudy step_study(SingleElement<E, M> single,
   return {single.step(v, 1e-9 * single.now().stable_step).stable_step, exact, undamped};
 }
 
-/// Asks it while it loses a share of its volume in each step, so that bulk viscosity acts.
+/// Stable step of an element that loses a share of its volume in each step, so that bulk viscosity acts.
 template <class E, class M>
 StepStudy step_in_compression(const SingleElement<E, M>& single, double share = 0.01) {
   constexpr int n = E::nodes, dimensions = turns_nodes<E>() ? 2 : 3;
@@ -91,8 +91,9 @@ RotationStudy rotation_study(const E& element, const M& material, const Nodal<do
 /// A way to distort an element, given in the box of its undistorted shape.
 struct Distortion {
   std::string name, unit;
-  double largest;  ///< amount to which it is followed
-  /// Where a point goes: x about the middle of the box, xi the same as a share of the box, from -1/2 to 1/2.
+  double largest;  ///< the largest amount of a sweep
+  /// Position of a point after the distortion: x from the middle of the box; xi, x over the size of the box, from -1/2
+  /// to 1/2.
   Eigen::Vector3d (*map)(const Eigen::Vector3d& x, const Eigen::Vector3d& xi, double amount);
 };
 
@@ -142,7 +143,7 @@ Nodal<double, n> distorted(const Nodal<double, n>& corners, const Distortion& di
 enum class Soundness {
   sound,
   inverted,    ///< flat or inside out, so that no mesh may have it
-  unstable,    ///< it claims a step beyond the exact one
+  unstable,    ///< its claimed step exceeds the exact one
   inaccurate,  ///< its stiffness under uniform strains is wrong
 };
 
@@ -155,7 +156,7 @@ inline const char* to_string(Soundness soundness) {
 struct DistortedElement {
   double aspect, amount;
   Soundness soundness = Soundness::inverted;
-  double volume = 0;         ///< of a plate the area; 0 if inverted, as what follows
+  double volume = 0;         ///< of a plate the area; 0 if inverted, like the numbers below
   double claimed = 0;        ///< its stable step
   double exact = 0;          ///< the exact one
   double uniform_error = 0;  ///< uniform_strain_error
@@ -163,13 +164,14 @@ struct DistortedElement {
   double ratio() const { return exact / claimed; }
 };
 
-/// Where an element fails on its way to the largest distortion, if it does.
+/// First failure of an element between no distortion and the largest.
 struct DistortionLimit {
   double aspect, amount;
-  Soundness reason;  ///< `sound` if it has not failed at all
+  Soundness reason;  ///< `sound` if it has not failed
 };
 
-/// How an element bears a distortion: from every aspect ratio on the way to its largest amount, or until it fails.
+/// Studies of an element under a distortion that grows to its largest amount or until the element fails, for every
+/// aspect ratio.
 struct DistortionSweep {
   Distortion distortion;
   std::vector<DistortedElement> elements;  ///< by aspect, then by amount; each way ends with the first that fails
@@ -188,11 +190,11 @@ struct SweepOptions {
   std::vector<double> aspects = {1, 2, 5, 10, 100};
   std::size_t steps = 24;      ///< from no distortion to the largest
   double accuracy = 0.1;       ///< the largest uniform_strain_error of a sound element
-  double rounding = 1e-9;      ///< by which the claimed step may pass the exact one
+  double rounding = 1e-9;      ///< by which the claimed step may exceed the exact one, relative
   double resolution = 1.0e-4;  ///< of the limits, as a share of the largest amount
 };
 
-/// An element of this shape, judged.
+/// The soundness of an element of this shape.
 template <class E, class M>
 DistortedElement judged(const E& element, const M& material, const Nodal<double, E::nodes>& x,
                         const SweepOptions& options = {}) {
@@ -254,4 +256,4 @@ DistortionSweep distortion_sweep(const E& element, const M& material, const Noda
   return sweep;
 }
 
-}  // namespace strike
+}  // namespace strike::verify

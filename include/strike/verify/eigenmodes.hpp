@@ -14,13 +14,13 @@
 #include <strike/scalar/dual.hpp>
 #include <strike/verify/single_element.hpp>
 
-namespace strike {
+namespace strike::verify {
 
-/// The largest part of a mode of an element.
+/// Kind of a mode of an element, by its largest part.
 enum class ModeKind {
   rigid,      ///< a motion without strain: six, without frequency
   straining,  ///< a uniform strain; of a plate a uniform membrane strain, curvature or transverse shear
-  hourglass   ///< what is left: one point measures no strain of it, so that it needs a control or more points
+  hourglass   ///< the rest: strains that one point does not measure, so that they need a control or more points
 };
 
 inline const char* to_string(ModeKind kind) {
@@ -31,14 +31,14 @@ inline const char* to_string(ModeKind kind) {
 struct Eigenmode {
   ModeKind kind;
   double frequency;        ///< w [rad/time], of K phi = w^2 M phi
-  double decay;            ///< d = phi.C phi/m [1/time], what the element's viscosity takes from it
+  double decay;            ///< d = phi.C phi/m [1/time], damping by the element's viscosity
   Eigen::Matrix3Xd shape;  ///< `motions` columns, of length 1 in all; rotations as in ElementVibration
 
   /// The largest stable step of this mode alone: w^2 dt^2/4 + d dt/2 = 1.
   double critical_step() const { return 1 / Vibration<double>{frequency * frequency, decay}.critical_rate(); }
 };
 
-/// The motions that an element must know whatever its shape, a column each, in the coordinates of ElementVibration.
+/// Motions that every shape must represent, a column each, in the coordinates of ElementVibration.
 struct UniformMotions {
   Eigen::MatrixXd rigid;      ///< three translations and three rotations
   Eigen::MatrixXd straining;  ///< without rotation: strains xx, yy, zz, xy, yz, zx; of a plate membrane and curvature
@@ -47,15 +47,16 @@ struct UniformMotions {
 };
 
 namespace detail {
+using namespace strike::detail;
 
-/// Columns of motions v = a + L d - e3 d.k d/2, w = b + W d of nodes at the places d. (A template, so that a program
-/// compiles it if it asks for it.)
+/// Columns of motions v = a + L d - e3 d.k d/2, w = b + W d of nodes at the places d. (A template, so that only
+/// programs that use it compile it.)
 template <class T>
 class MotionColumns {
  public:
   using V = Eigen::Matrix<T, 3, 1>;
   using A = Eigen::Matrix<T, 3, 3>;
-  struct Motion {
+  struct Coefficients {
     V a = V::Zero(), b = V::Zero(), e3 = V::Zero();
     A L = A::Zero(), W = A::Zero(), k = A::Zero();
   };
@@ -64,7 +65,7 @@ class MotionColumns {
   MotionColumns(const Eigen::Matrix3Xd& x, double gyration)
       : d_(x.colwise() - x.rowwise().mean()), gyration_(gyration) {}
 
-  Eigen::VectorXd operator()(const Motion& m) const {
+  Eigen::VectorXd operator()(const Coefficients& m) const {
     const Eigen::Index n = d_.cols();
     Eigen::VectorXd column(gyration_ > 0 ? 6 * n : 3 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -142,7 +143,7 @@ std::vector<Eigenmode> eigenmodes(const ElementVibration<T>& vibration, const Un
   const Eigen::Index n = x.cols(), m = K.rows() / 3;
   const Matrix R = orthonormal<T>(uniform.rigid, Matrix(3 * m, 0)), U = orthonormal<T>(uniform.straining, R);
 
-  // Springs between the nodes that grow from x to z, so weak that they only choose among equals.
+  // Springs between the nodes that grow from x to z, too weak to change more than the choice among equal frequencies.
   const double size = (x.colwise() - x.rowwise().mean()).norm();
   Matrix choice = 2 * (U * U.transpose() - R * R.transpose());
   for (Eigen::Index i = 0; i < m; ++i)
@@ -191,8 +192,8 @@ UniformMotions uniform_motions(const SingleElement<E, M>& single) {
   return detail::MotionColumns<double>(single.now().x, gyration).uniform(thickness);
 }
 
-/// The free vibrations of an element where it stands, in ascending frequency. Among shapes of one frequency, those are
-/// taken that are rigid, straining or hourglass and that go along the axes.
+/// The free vibrations of an element where it stands, in ascending frequency. Modes of equal frequency are chosen
+/// rigid, straining or hourglass, and along the axes.
 template <class E, class M>
 std::vector<Eigenmode> eigenmodes(const SingleElement<E, M>& single) {
   return detail::eigenmodes<double>(single.vibration(), uniform_motions(single), single.now().x);
@@ -201,7 +202,7 @@ std::vector<Eigenmode> eigenmodes(const SingleElement<E, M>& single) {
 namespace detail {
 
 // Strains of solids by the components xx, yy, zz, xy, yz, zx; of plates membrane and curvature by xx, yy, xy and the
-// shears, lengths in units of h; and what stress does work on them.
+// shears, lengths in units of h; and the stresses conjugate to them.
 template <class T>
 SolidKinematics::Rate<T> rate_of(SolidKinematics, const std::array<T, 6>& e, double, double dt) {
   return {{e[0], e[1], e[2], e[3], e[4], e[5]}, 1.0 + dt * (e[0] + e[1] + e[2])};
@@ -246,10 +247,10 @@ Eigen::MatrixXd tangent(const M& material, double h, double dt) {
 
 }  // namespace detail
 
-/// How far an element at rest is from the stiffness that its material and its shape give it under uniform strains:
+/// Error of the stiffness of an element at rest under uniform strains, relative to that of its material and shape:
 ///   |U^T K U - V C|/|V C|,   U the uniform strains of its nodes and C the tangent of the material.
-/// Zero but for rounding, if it measures linear fields, spreads the stress as the gradient of its volume says, and has
-/// an hourglass control that keeps out. In their plane the layers of a section must be isotropic.
+/// Zero but for rounding if the element measures linear fields, spreads the stress by the gradient of its volume, and
+/// has an hourglass control without stiffness in them. In their plane the layers of a section must be isotropic.
 template <class E, class M>
 double uniform_strain_error(const SingleElement<E, M>& single) {
   const auto uniform = uniform_motions(single);
@@ -257,4 +258,4 @@ double uniform_strain_error(const SingleElement<E, M>& single) {
   return detail::uniform_strain_error<double>(single.vibration().stiffness, uniform.straining, single.now().volume * C);
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -15,7 +15,7 @@
 
 #include <unsupported/Eigen/MatrixFunctions>
 
-namespace strike {
+namespace strike::verify {
 
 /// A layer of an isotropic, linear-elastic solid.
 struct ElasticLayer {
@@ -38,8 +38,8 @@ struct LaminateWave {
 };
 
 /// Layers bonded to each other, bottom to top, by three-dimensional elasticity without any assumption (the state-vector
-/// method; Bahar 1975): with it a user sees what a section leaves out. The edges are simply supported and the bottom is
-/// free. A plate of isotropic layers answers to sin(m pi x/a) sin(n pi y/b) as a strip does to sin px with
+/// method; Bahar 1975): a reference for sections of plates. The edges are simply supported and the bottom is
+/// free. A plate of isotropic layers responds to sin(m pi x/a) sin(n pi y/b) as a strip to sin px with
 /// p^2 = (m pi/a)^2 + (n pi/b)^2, so that one number p serves strips and plates.
 class Laminate {
  public:
@@ -69,7 +69,7 @@ class Laminate {
     return strike::transverse_shear(all);
   }
 
-  /// At the height z over the bottom, under sigma_z = sin px on the top.
+  /// The wave at the height z over the bottom, under sigma_z = sin px on the top.
   LaminateWave at(double p, double z) const {
     Vector4 state = at_bottom(p);
     std::size_t k = 0;
@@ -143,7 +143,7 @@ class Laminate {
     return E;
   }
 
-  /// (S, T) on top by (U, W) at the bottom.
+  /// Matrix from (U, W) at the bottom to (S, T) on top.
   Eigen::Matrix2d traction(double p, double omega2) const {
     Matrix4 M = Matrix4::Identity();
     for (const ElasticLayer& layer : layers_) M = transfer(layer, layer.thickness, p, omega2) * M;
@@ -172,9 +172,9 @@ struct MindlinPlate {
   double shear_stiffness;  ///< K [force/length]
   double density = 0, rotary_inertia = 0;
 
-  /// Under sin px.
+  /// Deflection under sin px.
   double deflection(double p) const { return 1 / (p * p * p * p * bending) + 1 / (p * p * shear_stiffness); }
-  /// The lower root of (K p^2 - m omega^2) (K + D p^2 - I omega^2) = K^2 p^2.
+  /// Lowest natural frequency [rad/time], the lower root of (K p^2 - m omega^2) (K + D p^2 - I omega^2) = K^2 p^2.
   double angular_frequency(double p) const {
     const double K = shear_stiffness, B = K + bending * p * p;
     const double a = density * rotary_inertia, b = density * B + rotary_inertia * K * p * p,
@@ -197,4 +197,4 @@ double rectangle_deflection(double a, double b, W w, int terms = 40) {
   return sum;
 }
 
-}  // namespace strike
+}  // namespace strike::verify

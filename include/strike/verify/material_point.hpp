@@ -20,7 +20,7 @@
 #include <strike/tensor/rotation.hpp>
 #include <strike/verify/path.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// A material point at one time.
 template <class M, class T = double>
@@ -30,7 +30,7 @@ struct Record {
   SymmetricTensor<T> rate_of_deformation{};                  ///< D in the middle of the step that led here
   SymmetricTensor<T> stress{};                               ///< Cauchy
   T work{};                                                  ///< of the stress, per reference volume
-  typename M::template State<T> state{};                     ///< what the material remembers
+  typename M::template State<T> state{};                     ///< state of the material
 
   T relative_volume() const { return deformation_gradient.determinant(); }
   /// Logarithmic strain of Hencky, ln V with F = V R.
@@ -42,15 +42,15 @@ struct Record {
   }
 };
 
-/// One material point without a mesh, to verify a law: strain or stress is prescribed, component by component, and the
-/// history comes back. The kinematics are those of the elements at mid-step, and `rotation` turns the state.
+/// One material point without a mesh, to verify a law: strain or stress is prescribed component by component; the
+/// result is the history. The kinematics are those of the elements at mid-step, and `rotation` turns the state.
 ///   MaterialPoint point{copper};
 ///   const auto history = point.run(cyclic(uniaxial_stress({.strain = 0.02, .rate = 1e3}), 3));
 ///   write("curve.csv", history);
 /// In dual numbers (`MaterialPoint{copper, in<Dual<double, 2>>}`) the history has derivatives.
-/// A material in plane stress stands in its plate's frame and feels no spin; what happens across follows from it.
-/// Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point then
-/// is what it was before the step.
+/// A material in plane stress is in the frame of its plate, without spin; the strain across the plate follows from the
+/// law. Errors: a prescribed stress that the material does not reach; a step that turns the point inside out. The point
+/// then has its state of before the step.
 template <class M, Rotation R = HughesWinget, class T = double>
   requires(SolidMaterial<M> || PlaneMaterial<M>)
 class MaterialPoint {
@@ -72,7 +72,7 @@ class MaterialPoint {
       return material_.moduli(now_.state, {now_.rate_of_deformation, now_.relative_volume()});
   }
 
-  /// One step with the velocity gradient L in its middle. A component with a prescribed stress reaches that; L has the
+  /// One step with the velocity gradient L in its middle. A component with a prescribed stress reaches it; L holds the
   /// first guess of its rate.
   const Record<M, T>& step(const Matrix3<T>& L, double dt, const PrescribedStress& stress = {}) {
     Target target;
@@ -86,7 +86,7 @@ class MaterialPoint {
     return step((2 / dt) * (F - F_old) * (F + F_old).inverse(), dt);
   }
 
-  /// Follows the path from now on and gives the record of every step, the present one first.
+  /// Follows the path and returns the record of every step, the present one first.
   std::vector<Record<M, T>> run(const Path& path) {
     std::vector<Record<M, T>> history{now_};
     run(path, [&](const Record<M, T>& record) { history.push_back(record); });
@@ -98,8 +98,8 @@ class MaterialPoint {
   void run(const Path& path, Observer&& observe) {
     for (const Segment& segment : path.segments) {
       if (!(segment.duration > 0) || segment.steps == 0)
-        throw Error(detail::joined({"A segment of a path has the duration ", detail::text(segment.duration), " and ",
-                                    std::to_string(segment.steps), " steps: give more than 0 of both."}));
+        throw Error(detail::joined({"strike: a Segment of a path has the duration ", detail::text(segment.duration),
+                                    " and ", std::to_string(segment.steps), " steps: give more than 0 of both."}));
       const Tensor initial_stress = now_.stress;
       const double dt = segment.duration / static_cast<double>(segment.steps);
       const Matrix3<T> L = segment.velocity_gradient.template cast<T>();
@@ -134,7 +134,7 @@ class MaterialPoint {
   static Vector3<T> spin(const Matrix3<T>& L) { return is_plane ? Vector3<T>(Vector3<T>::Zero()) : axial_vector(L); }
   static bool is_given(const T& stress) { return stress == stress; }
 
-  /// Where a step with this rate of deformation and the axial vector w of the spin leads.
+  /// Record after a step with this rate of deformation and the axial vector w of the spin.
   Record<M, T> answer(const Tensor& rate_of_deformation, const Vector3<T>& w, double dt) const {
     Record<M, T> next = now_;
     next.time += dt;
@@ -165,14 +165,16 @@ class MaterialPoint {
     Record<M, T> next = answer(D, w, dt);
     if (std::any_of(target.begin(), target.end(), is_given)) next = reach(target, std::move(next), w, dt);
     if (!(next.relative_volume() > 0))
-      throw Error(detail::joined({"Material point at t = ", detail::text(next.time), ": the relative volume becomes ",
+      throw Error(detail::joined({"strike: the material point at t = ", detail::text(next.time),
+                                  ": the relative volume becomes ",
                                   detail::text(static_cast<double>(next.relative_volume())), "; take smaller steps."}));
     return now_ = std::move(next);
   }
 
-  /// Newton's method for the rates of the components with a prescribed stress, from the guess `next`. It counts strain
-  /// increments, and stresses over the wave modulus. The tangent is a difference quotient, so that the law need not run
-  /// on dual numbers; where it is singular, as in the shear of a fluid, some rates stay as they are.
+  /// Newton's method for the rates of the components with a prescribed stress, from the guess `next`. Unknowns are
+  /// strain increments; residuals are stresses over the wave modulus. The tangent is a difference quotient, so that the
+  /// law needs no dual numbers; where it is singular, as in the shear of a fluid, the rates that it leaves open stay as
+  /// they are.
   Record<M, T> reach(const Target& target, Record<M, T> next, const Vector3<T>& w, double dt) const {
     constexpr double rounding = std::numeric_limits<double>::epsilon(), tolerance = 64 * rounding;
     const double difference = std::sqrt(rounding);  // balances the rounding of the volume and the curvature
@@ -220,7 +222,8 @@ class MaterialPoint {
     if (!(r.norm() <= tolerance)) refuse(target, next, r);
 
     if constexpr (requires(T a) { a.derivative(0); }) {
-      // The derivatives are those of the implicit function; the second step takes out what the quotients are off by.
+      // The derivatives are those of the implicit function; the second step removes the error of the difference
+      // quotients.
       const Eigen::FullPivLU<Matrix6> lu = tangent(next, r);
       for (int i = 0; i < 2; ++i) {
         Eigen::Matrix<double, 6, static_cast<int>(T::variables())> slopes;
@@ -244,11 +247,11 @@ class MaterialPoint {
     int worst = 0;
     r.cwiseAbs().maxCoeff(&worst);
     const auto c = static_cast<std::size_t>(worst);
-    throw Error(
-        detail::joined({"Material point at t = ", detail::text(nearest.time), ": the prescribed stress ", name[c],
-                        " = ", detail::text(static_cast<double>(target[c])), " is beyond the material, which gives ",
-                        detail::text(static_cast<double>(nearest.stress.*component[c])),
-                        "; lower it or prescribe the strain instead."}));
+    throw Error(detail::joined({"strike: the material point at t = ", detail::text(nearest.time),
+                                ": the prescribed stress ", name[c], " = ",
+                                detail::text(static_cast<double>(target[c])), " is beyond the material, which gives ",
+                                detail::text(static_cast<double>(nearest.stress.*component[c])),
+                                "; lower it or prescribe the strain instead."}));
   }
 
   M material_;
@@ -265,7 +268,7 @@ MaterialPoint(M, In<T>) -> MaterialPoint<M, HughesWinget, T>;
 template <class M, class R, class T>
 MaterialPoint(M, R, In<T>) -> MaterialPoint<M, R, T>;
 
-/// The value f(record) of every record: what a chart asks for.
+/// The value f(record) of every record, for a chart.
 template <class M, class F>
 std::vector<double> values(const std::vector<Record<M>>& history, F f) {
   std::vector<double> all;
@@ -275,7 +278,8 @@ std::vector<double> values(const std::vector<Record<M>>& history, F f) {
 }
 
 /// Writes the records as CSV: time, logarithmic strain, Cauchy stress, its von Mises equivalent, relative volume, work
-/// per reference volume, and the numbers that the material remembers under names known here.
+/// per reference volume, and of the material's state the internal energy, plastic strain, temperature rise and
+/// intactness, where it has them.
 template <class M>
 void write(const std::string& path, const std::vector<Record<M>>& history) {
   using State = typename M::template State<double>;
@@ -307,4 +311,4 @@ void write(const std::string& path, const std::vector<Record<M>>& history) {
   }
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -9,32 +9,32 @@
 #include <strike/mesh/surface.hpp>
 #include <strike/verify/single_element.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// A few elements of n nodes around inner ones.
 template <int n>
-struct Patch {
+struct PatchMesh {
   Eigen::Matrix3Xd nodes;  ///< a column each
   std::vector<std::array<int, n>> cells;
   int first_inner;  ///< nodes from here on lie inside
 };
 
 /// Seven hexahedra: the core `inner`, by default a distorted one, and one on each face, out to the unit cube.
-inline Patch<8> hexahedra_patch(const Nodal<double, 8>& inner) {
-  Patch<8> patch{Eigen::Matrix3Xd(3, 16),
-                 {{8, 9, 10, 11, 12, 13, 14, 15},  // the core
-                  {0, 1, 2, 3, 8, 9, 10, 11},
-                  {12, 13, 14, 15, 4, 5, 6, 7},  // below, above
-                  {0, 1, 9, 8, 4, 5, 13, 12},
-                  {11, 10, 2, 3, 15, 14, 6, 7},  // front, back
-                  {0, 8, 11, 3, 4, 12, 15, 7},
-                  {9, 1, 2, 10, 13, 5, 6, 14}},  // left, right
-                 8};
+inline PatchMesh<8> hexahedra_patch(const Nodal<double, 8>& inner) {
+  PatchMesh<8> patch{Eigen::Matrix3Xd(3, 16),
+                     {{8, 9, 10, 11, 12, 13, 14, 15},  // the core
+                      {0, 1, 2, 3, 8, 9, 10, 11},
+                      {12, 13, 14, 15, 4, 5, 6, 7},  // below, above
+                      {0, 1, 9, 8, 4, 5, 13, 12},
+                      {11, 10, 2, 3, 15, 14, 6, 7},  // front, back
+                      {0, 8, 11, 3, 4, 12, 15, 7},
+                      {9, 1, 2, 10, 13, 5, 6, 14}},  // left, right
+                     8};
   patch.nodes << unit_cube(), inner;
   return patch;
 }
 /// The inner corners of the patch of MacNeal and Harder (1985).
-inline Patch<8> hexahedra_patch() {
+inline PatchMesh<8> hexahedra_patch() {
   Nodal<double, 8> inner;
   inner << 0.249, 0.826, 0.850, 0.273, 0.320, 0.677, 0.788, 0.165,  //
       0.342, 0.288, 0.649, 0.750, 0.186, 0.305, 0.693, 0.745,       //
@@ -43,8 +43,8 @@ inline Patch<8> hexahedra_patch() {
 }
 
 /// Twelve tetrahedra: two on each face of the unit cube, with the one inner node.
-inline Patch<4> tetrahedra_patch(const Eigen::Vector3d& inner = {0.4, 0.55, 0.35}) {
-  Patch<4> patch{Eigen::Matrix3Xd(3, 9), {}, 8};
+inline PatchMesh<4> tetrahedra_patch(const Eigen::Vector3d& inner = {0.4, 0.55, 0.35}) {
+  PatchMesh<4> patch{Eigen::Matrix3Xd(3, 9), {}, 8};
   patch.nodes << unit_cube(), inner;
   for (const auto& face : detail::hexahedron_faces) {
     const auto corner = [&](std::size_t i) { return static_cast<int>(face[i]); };
@@ -55,13 +55,13 @@ inline Patch<4> tetrahedra_patch(const Eigen::Vector3d& inner = {0.4, 0.55, 0.35
 }
 
 /// Five quadrilaterals: the core `inner` and one at each side, out to the unit square.
-inline Patch<4> quadrilaterals_patch(const Nodal<double, 4>& inner) {
-  Patch<4> patch{Eigen::Matrix3Xd(3, 8), {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}, 4};
+inline PatchMesh<4> quadrilaterals_patch(const Nodal<double, 4>& inner) {
+  PatchMesh<4> patch{Eigen::Matrix3Xd(3, 8), {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}, 4};
   patch.nodes << unit_square(), inner;
   return patch;
 }
 /// The inner corners of the patch of MacNeal and Harder (1985), stretched to the square.
-inline Patch<4> quadrilaterals_patch() {
+inline PatchMesh<4> quadrilaterals_patch() {
   Nodal<double, 4> inner;
   inner << 0.04 / 0.24, 0.18 / 0.24, 0.16 / 0.24, 0.08 / 0.24,  //
       0.02 / 0.12, 0.03 / 0.12, 0.08 / 0.12, 0.08 / 0.12,       //
@@ -71,7 +71,7 @@ inline Patch<4> quadrilaterals_patch() {
 
 /// The patch that belongs to an element, as unit_corners do.
 template <class E>
-Patch<E::nodes> unit_patch() {
+PatchMesh<E::nodes> unit_patch() {
   unit_corners<E>();
   if constexpr (E::nodes == 8)
     return hexahedra_patch();
@@ -81,7 +81,7 @@ Patch<E::nodes> unit_patch() {
     return tetrahedra_patch();
 }
 
-/// Answer of a patch to a motion.
+/// Response of a patch to a motion.
 template <class E>
 struct PatchResponse {
   int first_inner;
@@ -96,7 +96,7 @@ struct PatchResponse {
     for (const auto& element : elements) sum += element.volume;
     return sum;
   }
-  /// The largest difference of what measure(stress) gives for an element from what it gives for the first, relative.
+  /// The largest difference of measure(stress) of an element from that of the first element, relative.
   template <class Measure>
   double spread(Measure measure) const {
     double largest = 0;
@@ -114,7 +114,7 @@ struct PatchResponse {
 
 /// Moves the nodes of a patch at the velocities v for dt, and if they turn with angular velocities in further columns.
 template <class E, class M>
-PatchResponse<E> move_patch(const E& element, const M& material, const Patch<E::nodes>& patch,
+PatchResponse<E> move_patch(const E& element, const M& material, const PatchMesh<E::nodes>& patch,
                             const Eigen::Matrix3Xd& v, double dt) {
   constexpr int n = E::nodes;
   const Eigen::Index count = patch.nodes.cols();
@@ -138,7 +138,7 @@ PatchResponse<E> move_patch(const E& element, const M& material, const Patch<E::
   return response;
 }
 
-/// How far a patch is from the uniform stress that a linear motion of its nodes should give.
+/// Errors of a patch under a linear motion of its nodes, which should give a uniform stress.
 struct PatchResult {
   const char* motion;
   double stress;  ///< the largest difference between elements, of the stress
@@ -147,13 +147,13 @@ struct PatchResult {
   double error() const { return std::max(stress, force); }
 };
 
-/// The patch tests. Solids are stretched and sheared: one motion in which all six strains take part, by 1e-3 in a
-/// stable step, without compression, where bulk viscosity depends on the size. Plates, which lie in a plane, are
-/// strained in it, bent into a deflection that leaves no transverse shear, and sheared; of their resultants, which live
-/// in the frames of the elements, the invariants are compared.
+/// The patch tests. Solids are stretched and sheared: one motion with all six strains, 1e-3 in a stable step, without
+/// compression, since bulk viscosity depends on the size. Plates, which lie in a plane, are strained in it, bent into a
+/// deflection that leaves no transverse shear, and sheared; the invariants of their resultants are compared, since
+/// these are in the frames of the elements.
 template <class E, class M>
 std::vector<PatchResult> patch_tests(const E& element, const M& material,
-                                     const Patch<E::nodes>& patch = unit_patch<E>()) {
+                                     const PatchMesh<E::nodes>& patch = unit_patch<E>()) {
   const Eigen::Matrix3Xd& X = patch.nodes;
   Eigen::Matrix3d L;
   L << 0.6, 0.3, -0.2, 0.1, 0.4, 0.5, -0.3, 0.2, 0.7;
@@ -195,4 +195,4 @@ std::vector<PatchResult> patch_tests(const E& element, const M& material,
   }
 }
 
-}  // namespace strike
+}  // namespace strike::verify

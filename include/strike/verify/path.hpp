@@ -9,17 +9,17 @@
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
-namespace strike {
+namespace strike::verify {
 
-/// The components of the Cauchy stress that are prescribed. The others are free: they answer to the motion.
+/// Prescribed components of the Cauchy stress; the free ones follow from the motion.
 struct PrescribedStress {
   static constexpr double free = std::numeric_limits<double>::quiet_NaN();
   double xx = free, yy = free, zz = free, xy = free, yz = free, zx = free;
 };
 
 /// A part of a path in equal steps. The motion follows the velocity gradient; where a stress is prescribed, it runs
-/// linearly from what it is to that value at the end, and the rate of deformation of that component follows from it.
-/// The spin is always that of the velocity gradient.
+/// linearly from its present value to that value at the end, and the rate of deformation of that component follows from
+/// it. The spin is always that of the velocity gradient.
 struct Segment {
   double duration;  ///< [time]
   std::size_t steps = 100;
@@ -45,10 +45,11 @@ struct Ramp {
 };
 
 namespace detail {
+using namespace strike::detail;
 
 inline Path ramp(const Ramp& ramp, int row, int column, const PrescribedStress& stress = {}) {
   if (!(ramp.rate > 0) || ramp.strain == 0)
-    throw Error(joined({"A ramp to the strain ", text(ramp.strain), " at the rate ", text(ramp.rate),
+    throw Error(joined({"strike: a Ramp to the strain ", text(ramp.strain), " at the rate ", text(ramp.rate),
                         " has no duration: give a strain other than 0 and a rate above 0."}));
   Segment segment{.duration = std::abs(ramp.strain) / ramp.rate, .steps = ramp.steps, .stress = stress};
   segment.velocity_gradient(row, column) = std::copysign(ramp.rate, ramp.strain);
@@ -74,7 +75,7 @@ inline Path hydrostatic(const Ramp& ramp) {
   return path;
 }
 
-/// Nothing moves: relaxation.
+/// A pause without motion, in which stresses relax.
 inline Path hold(double duration, std::size_t steps = 100) { return {{Segment{.duration = duration, .steps = steps}}}; }
 
 /// The motion of the path run back, under the same prescribed stresses: unloading.
@@ -84,7 +85,7 @@ inline Path back(const Path& path) {
   return reversed;
 }
 
-/// There and back, then as far to the other side and back, `cycles` times.
+/// Cycles of four quarters: the path, back, as far to the other side, and back; `cycles` times.
 inline Path cyclic(const Path& quarter, int cycles = 1) {
   const Path reversed = back(quarter), cycle = quarter + reversed + reversed + quarter;
   Path path;
@@ -104,4 +105,4 @@ Path rate_jumps(Loading loading, Ramp each, std::initializer_list<double> rates)
   return path;
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -15,26 +15,26 @@
 #include <strike/output/history.hpp>
 #include <strike/scalar/dual.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 /// One element after a step [consistent units]. Energies are those since the start; that of the prescribed motion is
 /// the sum of the other three but for the error of the step.
 template <class E>
 struct ElementRecord {
   double time = 0;
-  typename E::Kinematics::template Stress<double> stress{};  ///< that the material remembers, the mean over its points
+  typename E::Kinematics::template Stress<double> stress{};  ///< in the material, the mean over its points
   double volume = 0;                                         ///< of a plate the area
   double stable_step = 0;                                    ///< that the element claims
   Nodal<double, E::nodes> x;
-  Nodal<double, motions<E>> force;  ///< on the element's nodes, and moments behind, that give the motion
+  Nodal<double, motions<E>> force;  ///< external ones on the element's nodes, then the moments
   double internal = 0;              ///< work of the stresses
   double hourglass = 0;             ///< work against the hourglass control
   double bulk_viscosity = 0;        ///< dissipated by the bulk viscosity
   double external = 0;  ///< work of the prescribed motion, by the mean of the forces before and after a step
 };
 
-/// How the forces of an element answer to small motions of its coordinates, node after node: f = K x + C v, with the
-/// mass m at each node. Rotations count as lengths, the radius of gyration times the angle, so that they have it too.
+/// Linearised forces of an element on its coordinates, node after node: f = K x + C v, with the mass m at each node.
+/// Rotations are lengths, the radius of gyration times the angle, so that their mass is m too.
 template <class T = double>
 struct ElementVibration {
   using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
@@ -94,7 +94,7 @@ class SingleElement {
     record_.x = X;
     weigh(element_.begin(state_, material_, X));
     if (!(mass_ > 0))
-      throw Error("The single element has no positive mass; its corners are in the wrong order or coincide.");
+      throw Error("strike: the SingleElement has no positive mass: give its corners in the right order, none twice.");
     const auto response = element_.advance(state_, material_, X, Vectors::Zero().eval(), 0.0);
     record_.stress = mean_stress();
     record_.force = response.force;
@@ -118,11 +118,11 @@ class SingleElement {
     return record_;
   }
 
-  /// Takes steps of dt with the nodes at the velocities motion(x, t), a column per node, of the middle of each step: so
-  /// a rotation is one. Nodes that turn have angular velocities in further columns, else motion.angular_velocity(),
-  /// else none. Returns the record of every step, the present one first.
-  template <class Motion>
-  std::vector<Record> run(const Motion& motion, double dt, std::size_t steps) {
+  /// Takes steps of dt with the nodes at the velocities motion(x, t), a column per node, of the middle of each step, so
+  /// that a rotation is exact. Nodes that turn have angular velocities in further columns, else
+  /// motion.angular_velocity(), else none. Returns the record of every step, the present one first.
+  template <class VelocityField>
+  std::vector<Record> run(const VelocityField& motion, double dt, std::size_t steps) {
     std::vector<Record> history{record_};
     for (std::size_t i = 0; i < steps; ++i) {
       Vectors v = all_velocities(motion, record_.x, record_.time + 0.5 * dt);
@@ -154,8 +154,8 @@ class SingleElement {
  private:
   using State = typename E::template State<M, double>;
 
-  template <class Motion>
-  static Vectors all_velocities(const Motion& motion, const Positions& x, double time) {
+  template <class VelocityField>
+  static Vectors all_velocities(const VelocityField& motion, const Positions& x, double time) {
     const auto given = motion(x, time);
     if constexpr (motions<E> == n || std::decay_t<decltype(given)>::ColsAtCompileTime == motions<E>) {
       return given;
@@ -219,6 +219,7 @@ class SingleElement {
 };
 
 namespace detail {
+using namespace strike::detail;
 
 /// A stress component in a table.
 struct Component {
@@ -338,4 +339,4 @@ Nodal<double, E::nodes> unit_corners() {
     return unit_tetrahedron();
 }
 
-}  // namespace strike
+}  // namespace strike::verify

@@ -23,7 +23,7 @@
 #include <strike/verify/material_point.hpp>
 #include <strike/verify/patch_test.hpp>
 
-namespace strike {
+namespace strike::verify {
 
 // Curves of a material point: any type with these four members serves.
 
@@ -49,7 +49,7 @@ inline constexpr AxialCurve axial;
 inline constexpr ShearCurve shear;
 inline constexpr VolumeCurve volumetric;
 
-/// A curve that a material point has followed, and the formula's beside it.
+/// The curve of a material point beside that of a formula.
 struct CurveStudy {
   std::vector<double> x, y;
   std::vector<double> expected;  ///< NaN where the formula says nothing
@@ -96,16 +96,17 @@ CurveStudy compare(const std::vector<Record<M>>& history, const Curve& curve, co
   return study;
 }
 
-/// Tolerances within which an element passes.
+/// Tolerances of the studies of an element.
 struct ElementTolerances {
   double patch = 1e-9, rotation = 1e-9;  ///< rounding
   double frequency = 1e-4;  ///< of a rigid motion, over the highest: the root of the rounding, with a margin
-  double stiffness = 1e-6;  ///< of uniform_strain_error: what is lost between two steps of a viscous control
-  double step = 1e-6;       ///< by which a claimed step may pass the exact one
+  double stiffness =
+      1e-6;  ///< of uniform_strain_error: the rounding of the difference between two steps of a viscous control
+  double step = 1e-6;  ///< by which a claimed step may exceed the exact one, relative
 };
 
-/// Puts materials and elements through studies, prints what it finds as tables, and leaves CSV files, charts and
-/// pictures. The exit code of the program follows from its expectations:
+/// Studies of materials and elements, as printed tables, CSV files, charts and pictures. The exit code of the program
+/// follows from its expectations:
 ///   Workbench bench{"out"};
 ///   bench.follow("tension", copper, uniaxial_stress({.strain = 0.1}), axial, [](double e) { return E * e; }, 1e-3);
 ///   bench.element("Hex8", Hex8{}, copper);
@@ -116,7 +117,7 @@ class Workbench {
   /// Files go into the folder, which is made; "" is the present one.
   explicit Workbench(std::string folder = "") : folder_(std::move(folder)) {}
 
-  /// One material point along a path: NAME.csv with all that it remembers and NAME.svg.
+  /// One material point along a path: NAME.csv with its records and NAME.svg.
   template <class M, class Curve>
   void follow(const std::string& name, const M& material, const Path& path, const Curve& curve) {
     follow(
@@ -129,7 +130,7 @@ class Workbench {
               double tolerance) {
     attempt(name, [&] {
       const auto history = MaterialPoint{material}.run(path);
-      strike::write(file(name, ".csv"), history);
+      verify::write(file(name, ".csv"), history);
       report(name, compare(history, curve, formula), curve.x_name, curve.y_name, tolerance);
     });
   }
@@ -158,9 +159,9 @@ class Workbench {
     });
   }
 
-  /// Any number, beside the one that it should be.
+  /// A number beside its reference.
   void expect(Result result) { results_.add(std::move(result)); }
-  /// A value that must lie below a limit; its name says what is measured.
+  /// A value that must lie below a limit, under the name of what is measured.
   void expect_below(const std::string& quantity, double value, double limit, const std::string& source) {
     expect({quantity, value, "1", 0, limit, source});
   }
@@ -168,7 +169,7 @@ class Workbench {
   const Results& results() const { return results_; }
 
   /// Prints everything expected, writes it to results.csv, and returns the program's exit code: 0, or 1 after one
-  /// sentence about what was not met.
+  /// sentence about the expectations that are not met.
   [[nodiscard]] int finish() const {
     std::printf("\n");
     results_.print();
@@ -388,11 +389,11 @@ class Workbench {
     envelope.write(file(name + " envelope", ".svg"));
   }
 
-  /// By how much a ratio that should not be above 1 is; NaN stays.
+  /// Excess of a ratio over 1, 0 below; NaN stays.
   static double beyond(double ratio) { return ratio < 1 ? 0 : ratio - 1; }
 
   std::string folder_;
   Results results_;
 };
 
-}  // namespace strike
+}  // namespace strike::verify

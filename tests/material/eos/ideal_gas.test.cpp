@@ -8,6 +8,7 @@
 #include "support/shock.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 static_assert(ThermalEquationOfState<IdealGas>);
 

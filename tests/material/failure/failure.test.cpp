@@ -17,6 +17,7 @@
 #include "support/catch.hpp"
 
 using namespace strike;
+using namespace strike::verify;
 
 namespace {
 
@@ -70,7 +71,7 @@ struct WithoutFlag : Fails {
 };
 struct NeverGathers : Fails {
   template <class T>
-  struct State : detail::Intact<T>, detail::Damage<T> {};
+  struct State : strike::detail::Intact<T>, strike::detail::Damage<T> {};
 };
 struct GathersWithoutStrain : NeverGathers {
   template <class T, class S>
@@ -80,8 +81,8 @@ struct GathersWithoutStrain : NeverGathers {
 };
 
 template <class F>
-constexpr auto flaw = detail::failure_flaw<F>();
-using detail::FailureFlaw;
+constexpr auto flaw = strike::detail::failure_flaw<F>();
+using strike::detail::FailureFlaw;
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 
 namespace strike::detail::dyna {
 
-/// Nodes that a card names; which they are is known when all is read.
+/// Nodes that a card names, found when the whole file has been read.
 enum class Named { all, node, set, part, part_set };
 struct Choice {
   Named named;
@@ -19,7 +19,7 @@ struct Choice {
   std::uint32_t line;
 };
 
-/// A card, and the nodes that it is to have.
+/// A card and the choice of its nodes.
 template <class Card>
 struct Pending {
   Card card;
@@ -36,7 +36,7 @@ struct PendingContact {
   std::uint32_t line;
 };
 
-/// What is gathered, keyword by keyword; `resolved` makes a deck of it.
+/// The input, keyword by keyword; `resolved` makes a deck of it.
 struct Draft {
   DynaDeck deck = {};
   RawMesh raw = {};
@@ -66,7 +66,7 @@ struct Draft {
   }
 };
 
-/// A keyword that is understood, and what reads its cards.
+/// A keyword and the reader of its cards.
 struct Keyword {
   std::string_view name;  ///< without _TITLE and _ID
   void (*read)(File&, Draft&);

@@ -11,7 +11,7 @@
 
 namespace strike::detail::dyna {
 
-/// A data line: fields of fixed widths, or between commas. What is blank or missing is the fallback.
+/// A data line: fields of fixed widths, or between commas. A field that is blank or missing has the fallback.
 class Card {
  public:
   Card(std::string_view line, const Source& source)
@@ -31,12 +31,12 @@ class Card {
     const std::string_view field = text(width);
     return field.empty() ? fallback : source_->integer(field, meaning);
   }
-  /// The number of a thing in the file; 0, which names none, if it is blank.
+  /// The number of a node, part or card in the file; 0 for none, if it is blank.
   FileNumber tag(std::string_view meaning, std::size_t width = 10) {
     const std::string_view field = text(width);
     return field.empty() ? 0 : source_->tag(field, meaning, 0);
   }
-  /// The number of a thing that the card defines.
+  /// The number that the card defines.
   FileNumber own_tag(std::string_view meaning, std::string_view thing, std::size_t width = 10) {
     const FileNumber number = tag(meaning, width);
     if (number == 0) source_->refuse({"a ", thing, " has no number: number from 1."});
@@ -54,10 +54,10 @@ class Card {
   void pass(std::size_t fields) {
     while (fields-- > 0) text();
   }
-  /// All that is left of the line, as it stands.
+  /// The rest of the line, without conversion.
   std::string_view rest() const { return trimmed(rest_); }
   bool is_blank() const { return rest().empty(); }
-  /// Whether a field that was not read says more than 0.
+  /// True if a field that was not read is neither blank nor 0.
   bool says_more() {
     while (!is_blank())
       if (const std::string_view field = text(); !field.empty() && to_number(field) != 0.0) return true;
@@ -76,7 +76,7 @@ class File {
   explicit File(Source source) : source_(std::move(source)) {}
 
   /// Goes to the next keyword, past the cards that are left. False at *END and at the end. Error: there is no keyword;
-  /// one asks for another format or another file.
+  /// a keyword for another format or file.
   bool next_keyword() {
     if (!name_.empty()) pass_further_cards();
     std::string_view line;
@@ -89,10 +89,10 @@ class File {
     if (name_.empty()) refuse({"the file has no keyword: give an LS-DYNA keyword file."});
     return false;
   }
-  /// The keyword, as it stands and without _TITLE or _ID.
+  /// The keyword as in the file, and without _TITLE or _ID.
   const std::string& name() const { return name_; }
   std::string_view base() const { return base_; }
-  /// The keyword is not understood: its cards are skipped.
+  /// Skips the cards of a keyword that is not read.
   void skip() {
     skipped_.add(name_.substr(0, 60), source_.line());
     is_skipped_ = true;
@@ -107,14 +107,14 @@ class File {
     std::string_view line;
     return next_line(line);
   }
-  /// Calls f with each card that is left; blank lines say nothing there.
+  /// Calls f with each card that is left; blank lines are skipped.
   template <class F>
   void for_each_card(F f) {
     std::string_view line;
     while (next_line(line))
       if (!trimmed(line).empty()) f(Card(line, source_));
   }
-  /// The same where each card of a keyword with _TITLE or _ID stands after a title.
+  /// Calls f with each card that is left, of a keyword with _TITLE or _ID after its title.
   template <class F>
   void for_each_titled_card(F f) {
     for_each_card([&](const Card& first) { f(titled_ ? card() : first); });
@@ -124,11 +124,11 @@ class File {
   /// The title that stands before the cards of a keyword with _TITLE or _ID.
   std::string title() { return titled_ ? heading() : std::string(); }
 
-  /// A value that has no counterpart here is listed unless it is 0.
+  /// Lists a value that has no counterpart here, unless it is 0.
   void ignore(double value, std::string_view what) {
     if (value != 0) values_.add(joined({what, " of ", name_}), source_.line());
   }
-  /// Lists fields of cards that were not read and say more than 0.
+  /// Lists fields of cards that were not read and are neither blank nor 0.
   template <class... Cards>
   void ignore_rest(Cards&... cards) {
     (ignore(cards.says_more(), "Further fields"), ...);

@@ -5,7 +5,7 @@
 
 #include <strike/input/dyna/draft.hpp>
 
-// Supports, initial velocities, rigid walls and contacts: what acts on nodes and parts.
+// Supports, initial velocities, rigid walls and contacts.
 namespace strike::detail::dyna {
 
 inline std::pair<SupportCard, Choice> support(Card card, Named named, File& file) {
@@ -39,7 +39,7 @@ inline void velocity(File& file, Draft& draft) {
   file.ignore(values.vector("VXR to VZR").norm(), "VXR to VZR");
   draft.velocities.push_back({velocity, {set_or_all(set, file.line())}});
 }
-/// Nodes that follow each other with the same velocity are one card.
+/// One card for successive nodes of the same velocity.
 inline void node_velocities(File& file, Draft& draft) {
   file.for_each_card([&](Card card) {
     const Choice node{Named::node, card.own_tag("NID", "velocity"), file.line()};
@@ -76,7 +76,7 @@ inline void generated_velocities(File& file, Draft& draft) {
   });
 }
 
-/// A time of death that no run lives to see says nothing.
+/// True for times of death beyond the end of any run, which have no effect.
 inline double early(double death) { return death < 1e20 ? death : 0; }
 
 inline void wall(File& file, Draft& draft) {

@@ -10,7 +10,7 @@
 // Materials and equations of state (LS-DYNA Keyword User's Manual R13, volume II).
 namespace strike::detail::dyna {
 
-/// What each material begins with.
+/// First fields of every material card.
 struct MaterialHead {
   std::string title;
   Card card;

@@ -93,7 +93,7 @@ inline void set(File& file, std::vector<RawMesh::Set>& sets, FileNumber scope, L
     for (int field = 0; field < 8; field += listed == Listed::singly ? 1 : 2) {
       const FileNumber first = card.tag("a number of the set");
       const FileNumber last = listed == Listed::singly ? first : card.tag("a number of the set");
-      if (first != 0 && first <= last) set.ranges.push_back({scope + first, scope + last, 1, file.line()});
+      if (first != 0 && first <= last) set.sequences.push_back({scope + first, scope + last, 1, file.line()});
     }
   });
   sets.push_back(std::move(set));

@@ -13,7 +13,7 @@
 
 namespace strike::detail::dyna {
 
-/// Finds what cards name in the deck that is complete but for them.
+/// Nodes and parts that cards name, in a deck that is complete but for them.
 class Lookup {
  public:
   Lookup(const Finished& mesh, const DynaDeck& deck, const std::map<FileNumber, std::uint32_t>& parts,
@@ -23,7 +23,7 @@ class Lookup {
     for (const NamedSet& set : deck.part_sets) part_sets_.try_emplace(set.number, &set);
   }
 
-  /// Their numbers in the mesh, in ascending order.
+  /// The chosen nodes by their numbers in the mesh, in ascending order.
   std::vector<Index> nodes(std::span<const Choice> choices) const {
     std::vector<Index> nodes;
     const auto add = [&](const std::vector<Index>& more) { nodes.insert(nodes.end(), more.begin(), more.end()); };
@@ -69,10 +69,11 @@ inline std::vector<NamedSet> part_sets(Draft& draft, const Source& source) {
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : draft.part_sets) {
     NamedSet named{set.number, std::move(set.name), {}};
-    for (const RawMesh::Range& range : set.ranges) {
-      const auto part = draft.parts.find(range.first);
+    for (const RawMesh::Sequence& numbers : set.sequences) {
+      const auto part = draft.parts.find(numbers.first);
       if (part == draft.parts.end())
-        source.refuse(range.line, {"part ", std::to_string(range.first), " is not in the file: take it off the set."});
+        source.refuse(numbers.line,
+                      {"part ", std::to_string(numbers.first), " is not in the file: take it off the set."});
       named.members.push_back(part->second);
     }
     all.push_back(std::move(named));

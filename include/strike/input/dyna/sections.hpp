@@ -3,7 +3,7 @@
 
 #include <strike/input/dyna/draft.hpp>
 
-// Sections, hourglass control, and what a run is told: its title, end and step.
+// Sections, hourglass control, and the title, end time and step factor of the run.
 namespace strike::detail::dyna {
 
 inline void solid_section(File& file, Draft& draft) {
