@@ -17,7 +17,7 @@ namespace strike {
 //                                after the step, with each_point(f) over the states of its material points; `element`
 //                                is an ElementCondition
 //  2. needs_geometric_strain     static constexpr bool, optional: true gives element.geometric_strain() and costs nine
-//                                numbers per element
+//                                numbers per element; or needs_geometric_strain_of<M>, the same for each material M
 //
 // Laws. A deleted element gives no force and bounds no step; its mass stays with its nodes, and the energy that it held
 // leaves with it (Energy::eroded). An element whose volume is not positive or not a number is not kept. Lane by lane
