@@ -22,19 +22,20 @@ struct Counted {
 
   using Kinematics = SolidKinematics;
   template <class T>
-  using State = typename S::template State<T>;
+  struct State : S::template State<T> {};
+
   double density() const { return density_of(solid); }
   template <class T>
-  auto stress(T& state, const SolidKinematics::Rate<double>& rate, double dt) const {
+  SymmetricTensor<T> stress(State<T>& state, const SolidKinematics::Rate<T>& rate, double dt) const {
     ++*asked;
-    return solid.stress(state, rate, dt);
+    return solid.stress(static_cast<typename S::template State<T>&>(state), rate, dt);
   }
   template <class T>
-  auto stress(const T& state) const {
+  SymmetricTensor<T> stress(const State<T>& state) const {
     return solid.stress(state);
   }
   template <class T>
-  auto moduli(const T& state, const SolidKinematics::Rate<double>& rate) const {
+  Moduli<T> moduli(const State<T>& state, const SolidKinematics::Rate<T>& rate) const {
     return solid.moduli(state, rate);
   }
 };

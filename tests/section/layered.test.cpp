@@ -321,7 +321,7 @@ TEST_CASE("layered: layers fail on their own") {
   const Resultant s = all.stress(gone, {{1, 0, 0}, {}, {1, 1}}, 1);
   CHECK(all.intact(gone) == 0);
   CHECK(same({s.force, s.moment, s.shear, 0}, {}));
-  static_assert(detail::CanFail<decltype(all)> && !detail::CanFail<decltype(Homogeneous{steel, 1.0})>);
+  static_assert(strike::detail::CanFail<decltype(all)> && !strike::detail::CanFail<decltype(Homogeneous{steel, 1.0})>);
 }
 
 TEST_CASE("layered: as layers yield, the shear stiffness follows their moduli slowly and the shear force is kept") {
