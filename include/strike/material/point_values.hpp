@@ -40,8 +40,8 @@ struct EquivalentStress {
   }
 };
 
-/// The stress as a tensor in lanes of T: of a point in a plate by its components in the frame of the plate, of a fluid
-/// its pressure; 0 of a point without either.
+/// The stress as a tensor in lanes of T: of a point in a plate by its components in the frame of the plate, of a bar
+/// along its axis as xx, of a fluid its pressure; 0 of a point without any.
 template <class T>
 struct StressTensor {
   template <class State>
@@ -50,6 +50,8 @@ struct StressTensor {
       return point.stress;
     else if constexpr (requires { point.stress.xx; })
       return {point.stress.xx, point.stress.yy, T(0.0), point.stress.xy, T(0.0), T(0.0)};
+    else if constexpr (requires { T(point.stress); })
+      return {T(point.stress), T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)};
     else if constexpr (requires { point.pressure; })
       return SymmetricTensor<T>::isotropic(-point.pressure);
     else

@@ -244,10 +244,12 @@ class Checkpoint {
   /// Writes the file if it is due: after each step, after the other observers.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
-    if (run.time() < next_ && detail::wall_clock() < alarm_) return;
-    All<Run, Observers> all{run, companions_, observers};
-    write_checkpoint(path_, all);
-    start_clocks(run);
+    if constexpr (detail::remembers<Run>()) {
+      if (run.time() < next_ && detail::wall_clock() < alarm_) return;
+      All<Run, Observers> all{run, companions_, observers};
+      write_checkpoint(path_, all);
+      start_clocks(run);
+    }
   }
 
  private:
@@ -264,10 +266,6 @@ class Checkpoint {
     std::tuple<Companions&...>& companions;
     Observers& observers;
 
-    template <class Archive>
-    static constexpr bool remembers() {
-      return detail::remembers<Run>();
-    }
     template <class Archive>
     void serialize(Archive& archive) {
       archive(run);
