@@ -239,9 +239,14 @@ struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
   static std::size_t count(const Plies<Layer<M, R>>& plies) { return plies.count; }
 };
 
-/// The first piece that has points.
+/// The first piece that has points; of a section without layers nothing.
+template <class... Pieces>
+struct FirstLayer {
+  template <class T>
+  using PointState = T;
+};
 template <class P, class... Rest>
-struct FirstLayer : FirstLayer<Rest...> {};
+struct FirstLayer<P, Rest...> : FirstLayer<Rest...> {};
 template <class P, class... Rest>
   requires Piece<P>::is_layer
 struct FirstLayer<P, Rest...> : Piece<P> {};
