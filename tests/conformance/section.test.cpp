@@ -1,6 +1,7 @@
 #include "conformance/section.hpp"
 
 #include <strike/material.hpp>
+#include <strike/section.hpp>
 
 using namespace strike;
 using testing::conforms;

@@ -5,7 +5,7 @@
 #include <strike/draw/chart.hpp>
 
 #include "drawing.hpp"
-#include "scratch.hpp"
+#include "output/scratch.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <strike/section.hpp>
+
 #include "conformance/plate.hpp"
 
 using namespace strike;

@@ -3,6 +3,8 @@
 #include <numbers>
 #include <vector>
 
+#include <strike/section.hpp>
+
 #include "conformance/plate.hpp"
 
 using namespace strike;

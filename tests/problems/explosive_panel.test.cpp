@@ -1,6 +1,7 @@
 #include "problems/explosive_panel.hpp"
 
 #include <strike/material/zero_normal_stress.hpp>
+#include <strike/section.hpp>
 
 #include "support/catch.hpp"
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <strike/section.hpp>
+
 #include "problems/shells.hpp"
 #include "support/catch.hpp"
 #include "support/lay_ups.hpp"

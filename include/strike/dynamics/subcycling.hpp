@@ -15,6 +15,7 @@
 #include <strike/motion/execution.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/motion.hpp>
+#include <strike/motion/nodes.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
