@@ -5,6 +5,7 @@
 #include <strike/element/mass_scaled.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/material.hpp>
+#include <strike/section.hpp>
 #include <strike/verify.hpp>
 
 #include "conformance/element.hpp"
