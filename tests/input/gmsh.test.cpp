@@ -36,7 +36,7 @@ TEST_CASE("gmsh: version 2.2 with groups, faces on solids, lines and an orphan")
   CHECK(deck.part("soft body").hexahedra.size() == 1);
   CHECK(deck.part(2).tetrahedra.size() == 2);
   CHECK(deck.part("surface 9").quadrilaterals.size() == 1);
-  CHECK_THROWS_WITH(deck.part("foot"), ContainsSubstring("there are 'soft body', 'tip', 'surface 9'."));
+  CHECK_THROWS_WITH(deck.part("foot"), ContainsSubstring("give one of 'soft body', 'tip', 'surface 9'."));
   CHECK(deck.nodes("foot") == std::vector<Index>{0, 1, 2, 3});
   CHECK(deck.nodes("edge") == std::vector<Index>{0, 1});
   CHECK(deck.nodes("point 1") == std::vector<Index>{0});

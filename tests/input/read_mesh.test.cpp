@@ -60,7 +60,7 @@ TEST_CASE("read mesh: what a deck does not have is refused with what it has") {
   CHECK_THROWS_WITH(deck.part(4),
                     "strike: the name or number names both 4 '' and 4 'plate': give the one that tells them apart.");
   deck.parts.push_back({5, "bird", {}});
-  CHECK_THROWS_WITH(deck.part("bird"), ContainsSubstring("is both 3 'bird' and 5 'bird'"));
+  CHECK_THROWS_WITH(deck.part("bird"), ContainsSubstring("names both 3 'bird' and 5 'bird'"));
   CHECK_THROWS_WITH(deck.nodes("foot"), "strike: no set of nodes is called 'foot': the deck has none.");
   CHECK_THROWS_WITH(deck.nodes(1), "strike: no set of nodes has the number 1: the deck has none.");
 }

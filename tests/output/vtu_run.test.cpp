@@ -107,6 +107,8 @@ void check_file(const std::string& file, const Run& run) {
         return SymmetricTensor<T>(s.stress);
       else if constexpr (requires { s.stress.xx; })
         return SymmetricTensor<T>{.xx = s.stress.xx, .yy = s.stress.yy, .zz = T(0.0), .xy = s.stress.xy};
+      else if constexpr (requires { T(s.stress); })
+        return SymmetricTensor<T>{.xx = T(s.stress)};
       else
         return SymmetricTensor<T>::isotropic(T(0.0));
     });
