@@ -246,12 +246,10 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     if (!cycle_.is_complete()) stable_ = before;
   }
   void remove_deleted() {
-    this->each([&](const auto& part) {
-      if constexpr (is_running_part<decltype(part)>) {
-        if (part.newly_deleted() == 0) return;
-        const std::vector<bool> alive = part.alive();
-        this->each([&](auto& item) { detail::call_if_present<detail::item::Remove>(item, part.number(), alive); });
-      }
+    this->each_part([&](const auto& part) {
+      if (part.newly_deleted() == 0) return;
+      const std::vector<bool> alive = part.alive();
+      this->each([&](auto& item) { detail::call_if_present<detail::item::Remove>(item, part.number(), alive); });
     });
   }
 

@@ -8,6 +8,7 @@
 #include <strike/dynamics/subcycling.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/nodes.hpp>
+#include <strike/pick.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -40,51 +41,44 @@ inline constexpr bool is_numbers<In<T, Node>> = true;
 /// A kind of policy, with its default.
 struct NumbersKind {
   template <class P>
-  static constexpr bool has = is_numbers<P>;
+  using Is = std::bool_constant<is_numbers<P>>;
   using Default = In<Pack<double>>;
 };
 struct ExecutionKind {
   template <class P>
-  static constexpr bool has = Execution<P>;
+  using Is = std::bool_constant<Execution<P>>;
   using Default = Serial;
 };
 struct StepBoundKind {
   template <class P>
-  static constexpr bool has = StepBound<P>;
+  using Is = std::bool_constant<StepBound<P>>;
   using Default = ElementStep;
 };
 struct DampingKind {
   template <class P>
-  static constexpr bool has = Damping<P>;
+  using Is = std::bool_constant<Damping<P>>;
   using Default = NoDamping;
 };
 struct CycleKind {
   template <class P>
-  static constexpr bool has = Cycle<P>;
+  using Is = std::bool_constant<Cycle<P>>;
   using Default = NoSubcycling;
 };
 
 template <class P>
-inline constexpr bool is_policy =
-    NumbersKind::has<P> || ExecutionKind::has<P> || StepBoundKind::has<P> || DampingKind::has<P> || CycleKind::has<P>;
+inline constexpr bool is_policy = NumbersKind::Is<P>::value || ExecutionKind::Is<P>::value ||
+                                  StepBoundKind::Is<P>::value || DampingKind::Is<P>::value || CycleKind::Is<P>::value;
 
 /// The policy of a kind among others, or its default.
-template <class Kind>
-constexpr typename Kind::Default policy_of() {
-  return {};
-}
-template <class Kind, class P, class... Rest>
-constexpr auto policy_of(const P& policy, const Rest&... rest) {
-  if constexpr (Kind::template has<P>)
-    return policy;
-  else
-    return policy_of<Kind>(rest...);
+template <class Kind, class... Policies>
+constexpr auto policy_of(const Policies&... policies) {
+  return pick<Kind::template Is>(policies..., typename Kind::Default{});
 }
 template <class Kind, class... Policies>
 using PolicyOf = decltype(policy_of<Kind>(std::declval<Policies>()...));
 
 template <class Kind, class... Policies>
-inline constexpr bool is_told_once = (int{Kind::template has<Policies>} + ... + 0) <= 1;
+inline constexpr bool is_told_once = (int{Kind::template Is<Policies>::value} + ... + 0) <= 1;
 
 /// The compiler has been told to compile this execution.
 template <class E>

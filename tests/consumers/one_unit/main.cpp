@@ -2,7 +2,7 @@
 #include <strike/material/elastic.hpp>
 #include <strike/version.hpp>
 
-/// What Eigen declares in one of its headers and defines in another links.
+/// Functions that Eigen declares in one of its headers and defines in another link.
 template <class T>
 bool is_right_handed(const T& one) {
   const Eigen::Matrix<T, 3, 1> x{one, T(0), T(0)}, y{T(0), one, T(0)}, z = x.cross(y);

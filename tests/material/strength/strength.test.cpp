@@ -58,7 +58,7 @@ struct Wrong {
   std::string flow_stress(double) const { return "much"; }
 };
 
-/// What is nearly a strength.
+/// Classes that are nearly a strength.
 struct InDouble {
   double shear_modulus;
   double flow_stress(double e) const { return 1 + e; }
