@@ -24,7 +24,7 @@ int main() try {  // millimetres, milliseconds, kilograms; so kN, GPa and J
 
   double length = 0, radius = 0;
   for (const Eigen::Vector3d& x : run.positions())
-    length = std::max(length, x.z()), radius = std::max(radius, x.head<2>().norm());
+    length = std::max(length, x.z()), radius = std::max(radius, std::hypot(x.x(), x.y()));
   Results results;  // beside those of X3D (Brockman and Held 1991)
   results.add({"final length", length, "mm", 21.47, 0.08, "X3D"});
   results.add({"foot radius", radius, "mm", 7.081, 0.08, "X3D"});

@@ -62,12 +62,12 @@ struct Record {
                    {"energy error", "1"}}};
   VtuSeries film{"bar"};
   Progress progress{{.end = end, .unit = "ms"}};
-  std::vector<double> times, lengths;
+  std::vector<double> times{}, lengths{};
   double drift = 0;
 
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<double> plastic_strain;
-  Energy energy;
+  std::vector<Eigen::Vector3d> positions{};
+  std::vector<double> plastic_strain{};
+  Energy energy{};
   double seconds = 0;
   std::size_t steps = 0;
 

@@ -96,11 +96,11 @@ inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vect
 
 /// The unit normal of a face at the shape functions N.
 inline Eigen::Vector3d normal_at(const Corners& X, const std::array<double, 4>& N, bool is_triangle) {
-  if (is_triangle) return cross<double>(X[1] - X[0], X[2] - X[0]).normalized();
+  if (is_triangle) return direction(cross<double>(X[1] - X[0], X[2] - X[0]));
   const Eigen::Vector3d along_s = (N[0] + N[1]) * (X[1] - X[0]) + (N[2] + N[3]) * (X[2] - X[3]);
   const Eigen::Vector3d along_t = (N[0] + N[3]) * (X[3] - X[0]) + (N[1] + N[2]) * (X[2] - X[1]);
   const Eigen::Vector3d normal = cross<double>(along_s, along_t);
-  return (normal.squaredNorm() > 0 ? normal : cross<double>(X[2] - X[0], X[3] - X[1])).normalized();
+  return direction(normal.squaredNorm() > 0 ? normal : cross<double>(X[2] - X[0], X[3] - X[1]));
 }
 
 }  // namespace strike::detail

@@ -19,6 +19,7 @@
 #include <strike/motion/step.hpp>
 #include <strike/pick.hpp>
 #include <strike/protocol.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
@@ -68,7 +69,8 @@ class Contact {
     meeting_->moved(all_, step.dt);
     all_.scatter(nodes, ledger);
     step_ = step;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    using namespace detail;
+    Eigen::Vector3d sum{0, 0, 0};
     for (const Index i : all_.touched())
       if (is_first_[i]) sum += all_.normal_impulse[i] + all_.friction_impulse[i];
     impulse_ += sum;
@@ -124,6 +126,7 @@ class Contact {
  private:
   /// Friction against the velocity along the surface that the normal impulses have left.
   void rub(const ContactPair& pair) {
+    using namespace detail;
     if (!(pair.impulse > 0)) return;
     const Eigen::Vector3d v = pair.velocity(all_);
     const Eigen::Vector3d sliding = v - pair.normal.dot(v) * pair.normal;
@@ -136,6 +139,7 @@ class Contact {
   }
 
   std::vector<std::pair<Index, Eigen::Vector3d>> forces() const {
+    using namespace detail;
     std::vector<std::pair<Index, Eigen::Vector3d>> of_nodes;
     for (const Index i : all_.touched())
       of_nodes.push_back({all_.number(i), (all_.normal_impulse[i] + all_.friction_impulse[i]) / step_.kick()});
@@ -173,8 +177,9 @@ class Contact<NodeToRigid<RigidPlane>, Kinematic, F> : public detail::PlaneConta
  private:
   /// The plane of the nodes' plates that touch with their surfaces.
   static RigidPlane surface_of(const NodeToRigid<RigidPlane>& pairing) {
+    using namespace detail;
     const auto& [point, normal] = pairing.body;
-    return {point + 0.5 * pairing.thickness * normal.normalized(), normal};
+    return {point + (0.5 * pairing.thickness) * direction(normal), normal};
   }
 };
 

@@ -56,6 +56,7 @@ class ContactNodes {
   /// Computes `kicked` of the nodes in pairs, and 1/m* of the pairs.
   template <class N, class Pairs>
   void gather_forces(const N& nodes, Pairs& pairs, double kick) {
+    using namespace detail;
     const auto gather_force = [&](Index i) {
       if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
     };
@@ -87,6 +88,7 @@ class ContactNodes {
   /// Writes the velocities to the scene and books the work of the impulses.
   template <class N, class Ledger>
   void scatter(N& nodes, Ledger& ledger) const {
+    using namespace detail;
     double before[2] = {0, 0}, after[2] = {0, 0};
     for (const Index i : touched_) {
       nodes.set_velocity(number_[i], v[i]);
@@ -131,6 +133,7 @@ class ContactNodes {
 
  private:
   void add(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
+    using namespace detail;
     if (!(inverse_mass_[i] > 0)) return;
     if (!is_touched_[i]) is_touched_[i] = 1, touched_.push_back(i);
     const Eigen::Vector3d given = free(i, impulse);
@@ -184,12 +187,14 @@ struct ContactPair {
 
   /// Velocity of the node relative to the point that it touches.
   Eigen::Vector3d velocity(const ContactNodes& nodes) const {
+    using namespace detail;
     Eigen::Vector3d relative = nodes.v[node];
     for (unsigned i = 0; i < count; ++i) relative -= N[i] * nodes.v[corners[i]];
     return relative;
   }
   /// Change of that velocity by the forces of this step.
   Eigen::Vector3d kicked(const ContactNodes& nodes) const {
+    using namespace detail;
     Eigen::Vector3d relative = nodes.kicked[node];
     for (unsigned i = 0; i < count; ++i) relative -= N[i] * nodes.kicked[corners[i]];
     return relative;
@@ -205,12 +210,14 @@ struct ContactPair {
   }
   /// Gives the pair a normal impulse J [force time].
   void push(ContactNodes& nodes, double J) {
+    using namespace detail;
     impulse += J;
     nodes.push(node, J * normal);
     for (unsigned i = 0; i < count; ++i) nodes.push(corners[i], (-N[i] * J) * normal);
   }
   /// Gives the pair an impulse of friction.
   void drag(ContactNodes& nodes, const Eigen::Vector3d& J) const {
+    using namespace detail;
     nodes.drag(node, J);
     for (unsigned i = 0; i < count; ++i) nodes.drag(corners[i], -N[i] * J);
   }

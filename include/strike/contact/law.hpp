@@ -8,6 +8,7 @@
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/error.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -51,6 +52,7 @@ struct Penalty {
 
   double kappa(double inverse_effective_mass) const { return stiffness * inverse_effective_mass; }
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
+    using namespace detail;
     std::vector<double> sum(nodes.size(), 0.0);  // kappa_I
     const auto add = [&](const ContactPair& pair) {
       double moved = 1;  // norm of the pair's row
@@ -79,7 +81,7 @@ struct Penalty {
       double here = largest(pair);
       if (!(stiffness > 0) && here > allowed) pair.stiffness *= allowed / here, here = allowed;
       most = std::max(most, here);
-      before.push_back(pair.normal.dot(Eigen::Vector3d(pair.velocity(nodes) - pair.kicked(nodes))));
+      before.push_back(pair.normal.dot(pair.velocity(nodes) - pair.kicked(nodes)));
     }
     for (ContactPair& pair : pairs)
       if (pair.gap < 0 && pair.inverse_effective_mass > 0) pair.push(nodes, pair.stiffness * -pair.gap * step.kick());

@@ -28,7 +28,7 @@ class PlaneContact {
   /// All nodes of the scene, or those given.
   PlaneContact(const RigidPlane& plane, F friction) : PlaneContact(plane, {}, friction) { everywhere_ = true; }
   PlaneContact(const RigidPlane& plane, std::vector<Index> nodes, F friction)
-      : point_(plane.point), normal_(plane.normal.normalized()), friction_(friction), nodes_(std::move(nodes)) {}
+      : point_(plane.point), normal_(direction(plane.normal)), friction_(friction), nodes_(std::move(nodes)) {}
 
   /// Nodes that start inside keep their initial depth without force until they leave. Error: no such node.
   template <class N>

@@ -5,6 +5,7 @@
 
 #include <strike/contact/concepts.hpp>
 #include <strike/mesh/surface.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
@@ -13,7 +14,8 @@ struct RigidPlane {
   Eigen::Vector3d point, normal;
 
   Clearance clearance(const Eigen::Vector3d& x) const {
-    const Eigen::Vector3d n = normal.normalized();
+    using namespace detail;
+    const Eigen::Vector3d n = direction(normal);
     return {n.dot(x - point), n};
   }
 };
@@ -24,8 +26,9 @@ struct RigidSphere {
   double radius;  ///< [length]
 
   Clearance clearance(const Eigen::Vector3d& x) const {
+    using namespace detail;
     const Eigen::Vector3d r = x - centre;
-    return {r.norm() - radius, r.norm() > 0 ? Eigen::Vector3d(r.normalized()) : Eigen::Vector3d::UnitX()};
+    return {r.norm() - radius, r.norm() > 0 ? direction(r) : Eigen::Vector3d{1, 0, 0}};
   }
 };
 
@@ -35,8 +38,9 @@ struct RigidCylinder {
   double radius;  ///< [length]
 
   Clearance clearance(const Eigen::Vector3d& x) const {
-    const Eigen::Vector3d a = axis.normalized(), r = x - point;
-    return RigidSphere{Eigen::Vector3d::Zero(), radius}.clearance(Eigen::Vector3d(r - a.dot(r) * a));
+    using namespace detail;
+    const Eigen::Vector3d a = direction(axis), r = x - point;
+    return RigidSphere{{0, 0, 0}, radius}.clearance(r - a.dot(r) * a);
   }
 };
 

@@ -95,7 +95,7 @@ class Target {
     const double side = foot.point.away.dot(outside) < 0 ? -1 : 1;
     const bool apart = distance > 1e-12 * (X[2] - X[0]).norm();
     foot.height = side * distance;
-    foot.normal = apart ? Eigen::Vector3d((side / distance) * foot.point.away) : outside.normalized();
+    foot.normal = apart ? (side / distance) * foot.point.away : direction(outside);
     return foot;
   }
 
@@ -136,7 +136,7 @@ class Target {
     }
     return sum;
   }
-  static Eigen::Vector3d mean_normal(const Corners& X) { return cross<double>(X[2] - X[0], X[3] - X[1]).normalized(); }
+  static Eigen::Vector3d mean_normal(const Corners& X) { return direction(cross<double>(X[2] - X[0], X[3] - X[1])); }
 
   std::vector<std::array<Index, 4>> faces_, across_;
   std::vector<std::size_t> first_;

@@ -16,7 +16,9 @@
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/select.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -62,7 +64,8 @@ class Tied {
 
   /// The force on the tied nodes in the last step.
   Eigen::Vector3d force() const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    using namespace detail;
+    Eigen::Vector3d sum{0, 0, 0};
     for (const ContactPair& tie : ties_) sum += all_.normal_impulse[tie.node];
     return sum / step_.kick();
   }
@@ -114,15 +117,15 @@ class Tied {
 
   /// Removes the misfit of a tie at the end of the step; returns the misfit over the step [velocity].
   double pull(std::size_t k, double dt) {
+    using namespace detail;
     ContactPair& tie = ties_[k];
-    const auto ahead = [&](Index i) { return Eigen::Vector3d(all_.x[i] + dt * all_.v[i]); };
+    const auto ahead = [&](Index i) { return all_.x[i] + dt * all_.v[i]; };
     Eigen::Vector3d off = ahead(tie.node);
     for (unsigned i = 0; i < tie.count; ++i) off -= tie.N[i] * ahead(tie.corners[i]);
-    if (tie.gap != 0)
-      off -= tie.gap * detail::normal_at(target_.corners(faces_[k], all_.x, all_.v, dt), tie.N, tie.count == 3);
+    if (tie.gap != 0) off -= tie.gap * normal_at(target_.corners(faces_[k], all_.x, all_.v, dt), tie.N, tie.count == 3);
     const Eigen::Vector3d v = off / dt;
     for (int a = 0; a < 3; ++a) {
-      tie.normal = Eigen::Vector3d::Unit(a);
+      tie.normal = unit(Axis{a});
       if (const double inverse_effective_mass = tie.inverse_effective_mass_along(all_, tie.normal);
           inverse_effective_mass > 0)
         tie.push(all_, -v[a] / inverse_effective_mass);

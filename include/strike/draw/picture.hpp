@@ -47,12 +47,12 @@ class Picture {
   [[gnu::cold]] explicit Picture(PictureOptions options) : options_(std::move(options)) {
     if (!(options_.from.norm() > 0) || !(options_.up.norm() > 0))
       throw Error("strike: a Picture needs a direction to the eye and one upward: give vectors that are not zero.");
-    toward_ = options_.from.normalized();
+    toward_ = detail::direction(options_.from);
     right_ = cross(options_.up, toward_);
     if (right_.norm() < 1e-6 * options_.up.norm()) {  // the eye is right above
       right_ = cross(unit(std::abs(toward_.x()) < 0.5 ? Axis::x : Axis::y), toward_);
     }
-    right_.normalize();
+    right_ = detail::direction(right_);
     up_ = cross(toward_, right_);
   }
 
@@ -164,9 +164,10 @@ class Picture {
   [[gnu::cold]] void add(std::span<const Face> faces, std::span<const Eigen::Vector3d> positions,
                          std::span<const double> values, Sides sides, double on_plane, const Eigen::Vector3d& sign,
                          std::size_t first_plane) {
+    using namespace detail;
     for (const Face& face : faces) {
       if (is_cut(face, positions, on_plane)) continue;
-      Eigen::Vector3d normal = reflected(area_vector(positions, face).normalized(), sign);
+      Eigen::Vector3d normal = reflected(direction(area_vector(positions, face)), sign);
       if (sides == Sides::both && normal.dot(toward_) < 0) normal = -normal;
       if (!(normal.dot(toward_) > 1e-3)) continue;
       Polygon polygon;
@@ -175,7 +176,7 @@ class Picture {
         polygon.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
       polygon.depth = projected(reflected(centroid(positions, face), sign))[2];
       // Light from the upper left behind the eye; never dark, so that colours can be compared with the legend.
-      const Eigen::Vector3d lamp = (toward_ + 0.5 * up_ - 0.5 * right_).normalized();
+      const Eigen::Vector3d lamp = direction(toward_ + 0.5 * up_ - 0.5 * right_);
       polygon.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
       polygon.plain = values.empty();
       polygon.value = polygon.plain ? 0 : values[face.cell];

@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
 #include <strike/dynamics/scene.hpp>
+#include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/order.hpp>
 
@@ -39,7 +39,7 @@ Arrangement arrange(const Scene<Items...>& scene) {
         for (const Index node : item.cells[e]) name(node);
     }
   };
-  std::apply([&](const auto&... item) { (place(item), ...); }, scene.items);
+  each_of(scene.items, place);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) name(static_cast<Index>(i));
   return arrangement;
 }

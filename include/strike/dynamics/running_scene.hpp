@@ -14,6 +14,7 @@
 #include <strike/dynamics/ill_formed_run.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/scene.hpp>
+#include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/motion/central_differences.hpp>
@@ -97,11 +98,11 @@ class RunningScene {
 
   template <class F>
   void each(const F& f) {
-    std::apply([&](auto&... item) { (f(item), ...); }, items_);
+    each_of(items_, f);
   }
   template <class F>
   void each(const F& f) const {
-    std::apply([&](const auto&... item) { (f(item), ...); }, items_);
+    each_of(items_, f);
   }
   template <class F>
   std::vector<Eigen::Vector3d> of_nodes(const F& f) const {

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/patches.hpp>
+#include <strike/each_of.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/motion.hpp>
@@ -249,7 +249,7 @@ class Subcycling::Running {
     const auto visit = [&](const auto& item) {
       if constexpr (requires { item.patches(); }) f(item, paces[item.number()]);
     };
-    std::apply([&](const auto&... item) { (visit(item), ...); }, items);
+    detail::each_of(items, visit);
   }
 
   /// The multiple with which the fewest elements are advanced, and the parts that allow it.

@@ -1,8 +1,8 @@
 #pragma once
 #include <concepts>
-#include <tuple>
 #include <type_traits>
 
+#include <strike/each_of.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/material.hpp>
 #include <strike/tensor/rotation.hpp>
@@ -87,7 +87,7 @@ concept Element = std::same_as<typename E::Kinematics, typename M::Kinematics> &
 template <class Rotator, class State>
 void turn_tensors(const Rotator& rotate, State& state) {
   if constexpr (requires { state.spatial_tensors(); })
-    std::apply([&](auto&... tensor) { ((tensor = rotate(tensor)), ...); }, state.spatial_tensors());
+    detail::each_of(state.spatial_tensors(), [&](auto& tensor) { tensor = rotate(tensor); });
 }
 
 /// The end of the step: cheaper, and a rotation by theta per step strains by 1 - cos(theta).

@@ -7,6 +7,7 @@
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/nodes.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
@@ -33,7 +34,7 @@ template <class History, class Kind>
 class PrescribedMotion {
  public:
   PrescribedMotion(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
-      : direction_(direction.normalized()), nodes_(std::move(nodes)), history_(std::move(history)) {}
+      : direction_(detail::direction(direction)), nodes_(std::move(nodes)), history_(std::move(history)) {}
   PrescribedMotion(Axis axis, std::vector<Index> nodes, History history)
       : PrescribedMotion(unit(axis), std::move(nodes), std::move(history)) {}
 

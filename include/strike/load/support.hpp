@@ -19,14 +19,15 @@ class Support {
   template <class N>
   void begin(N& nodes) {
     for (const Index i : nodes_) {
-      for (const auto& direction : directions_) motions_.push_back({i, nodes.hold(i, direction.normalized())});
+      for (const auto& direction : directions_) motions_.push_back({i, nodes.hold(i, detail::direction(direction))});
       if constexpr (N::nodes_turn)
-        for (const auto& axis : axes_) turns_.push_back({i, nodes.hold_turn(i, axis.normalized())});
+        for (const auto& axis : axes_) turns_.push_back({i, nodes.hold_turn(i, detail::direction(axis))});
     }
   }
 
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) const {
+    using namespace detail;
     double work = 0;  // of nodes that move along a held direction at the start
     using Vector = typename N::Vector;
     const auto without = [&](const Vector& v, const Eigen::Vector3d& held, double m, const Vector& f) {
@@ -83,9 +84,10 @@ class Symmetry : public Support {
  private:
   /// A vector orthogonal to another.
   static Eigen::Vector3d across(const Eigen::Vector3d& normal) {
-    Eigen::Index least;
-    normal.cwiseAbs().minCoeff(&least);
-    return cross<double>(normal, Eigen::Vector3d::Unit(least));
+    Axis least = Axis::x;
+    for (const Axis axis : {Axis::y, Axis::z})
+      if (std::abs(normal(int(axis))) < std::abs(normal(int(least)))) least = axis;
+    return cross(normal, unit(least));
   }
 };
 

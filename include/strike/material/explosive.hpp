@@ -5,6 +5,7 @@
 
 #include <strike/material/eos/eos.hpp>
 #include <strike/material/material.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
@@ -39,7 +40,7 @@ struct DetonationPlane {
 
   template <class T>
   T distance(const Vector3<T>& x) const {
-    const Eigen::Vector3d n = normal.normalized();
+    const Eigen::Vector3d n = detail::direction(normal);
     return abs((x(0) - place(0)) * n(0) + (x(1) - place(1)) * n(1) + (x(2) - place(2)) * n(2));
   }
 };

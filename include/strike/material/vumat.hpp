@@ -83,7 +83,8 @@ double largest_eigenvalue_of(Matrix A) {
 /// 3 K = C_v + |c| and 2 G = lambda_max(C_d) + |c| do; if C is isotropic c = 0, and they are its own.
 template <class Matrix>
 Moduli<double> bounding_moduli(const Matrix& C) {
-  const Eigen::Matrix<double, 6, 1> v = Eigen::Matrix<double, 6, 1>{1, 1, 1, 0, 0, 0} / std::sqrt(3.0);
+  using Vector = Eigen::Matrix<typename Matrix::Scalar, 6, 1>;
+  const Vector v = Vector{1, 1, 1, 0, 0, 0} / std::sqrt(3.0);
   const Matrix P = Matrix::Identity() - v * v.transpose(), S = 0.5 * (C + C.transpose());
   const double coupling = (P * S * v).norm();
   return {(v.dot(S * v) + coupling) / 3, 0.5 * (largest_eigenvalue_of<Matrix>(P * S * P) + coupling)};

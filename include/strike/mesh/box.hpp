@@ -23,7 +23,8 @@ struct BoxShape {
 /// Hexahedra that fill a box. Nodes and cells are numbered along x first, then y, then z.
 /// Errors: an edge that is not positive, no cells, grading that is not positive.
 inline Mesh box(const BoxShape& shape) {
-  if (!(shape.size.minCoeff() > 0) || !std::isfinite(shape.size.sum()))
+  const Eigen::Vector3d& size = shape.size;
+  if (!(size(0) > 0 && size(1) > 0 && size(2) > 0) || !std::isfinite(size(0) + size(1) + size(2)))
     throw Error(detail::joined(
         {"strike: a box of size ", detail::text(shape.size), " has no volume; give three positive edges in `.size`."}));
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -58,9 +58,10 @@ void check_numbers(const char* shape, std::span<const Eigen::Vector3d> nodes, co
 /// does not exist, or one twice; a hexahedron or tetrahedron that is flat or inside out at a corner; a quadrilateral
 /// that is crossed, concave or without area; a node that belongs to no cell.
 inline void check(const Mesh& mesh) {
+  using namespace detail;
   const std::span<const Eigen::Vector3d> nodes = mesh.nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
-    if (!std::isfinite(nodes[n].sum()))
+    if (!std::isfinite(nodes[n](0) + nodes[n](1) + nodes[n](2)))
       throw Error(detail::joined({"strike: node ", std::to_string(n), " at ", detail::text(nodes[n]),
                                   " has no finite position; correct its coordinates."}));
   detail::check_numbers("hexahedron", nodes, mesh.hexahedra);

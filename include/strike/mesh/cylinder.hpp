@@ -31,8 +31,7 @@ inline Mesh cylinder(const CylinderShape& shape) {
                                 detail::text(shape.length), " has no volume; give positive lengths."}));
   if (shape.cells < 1 || shape.layers < 1)
     throw Error("strike: a cylinder has no cells or no layers; give 1 or more in `.cells` and `.layers`.");
-  const Mesh plan = transformed(detail::unit_disc(shape.cells, shape.sector),
-                                [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(shape.radius * x); });
+  const Mesh plan = scaled(detail::unit_disc(shape.cells, shape.sector), {shape.radius, shape.radius, 1});
   return extruded(plan, graded(0, shape.length, shape.layers, shape.grading));
 }
 

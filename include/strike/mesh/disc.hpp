@@ -50,7 +50,7 @@ inline Mesh quarter_disc(Index n) {
     for (Index k = 0; k <= 2 * n; ++k) {
       const double t = double(ring) / n;
       const Eigen::Vector3d edge = k <= n ? core(n, k) : core(2 * n - k, n);
-      disc.nodes.push_back(ring == n ? arc(k) : Eigen::Vector3d((1 - t) * edge + t * arc(k)));
+      disc.nodes.push_back(ring == n ? arc(k) : (1 - t) * edge + t * arc(k));
     }
 
   const auto core_node = [n](Index i, Index j) { return i + (n + 1) * j; };
@@ -91,8 +91,7 @@ inline Mesh disc(const DiscShape& shape) {
     throw Error(detail::joined(
         {"strike: a disc of radius ", detail::text(shape.radius), " has no area; give a positive `.radius`."}));
   if (shape.cells < 1) throw Error("strike: a disc has no cells; give 1 or more in `.cells`.");
-  return transformed(detail::unit_disc(shape.cells, shape.sector),
-                     [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(shape.radius * x); });
+  return scaled(detail::unit_disc(shape.cells, shape.sector), {shape.radius, shape.radius, 1});
 }
 
 }  // namespace strike

@@ -10,11 +10,12 @@ namespace strike {
 
 /// Volume of the trilinear hexahedron [length^3], exact; negative if it is inside out.
 inline double hexahedron_volume(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 8>& cell) {
+  using namespace detail;
   // Cones from corner 0 over its faces. Over a bilinear face the cone is the mean of those over its two pairs of
   // triangles: with a, b, c, d from the apex, 12 V = (a + b) . (c x d) + (c + d) . (a x b).
   const Eigen::Vector3d& apex = nodes[cell[0]];
   double volume = 0;
-  for (const auto& corners : detail::hexahedron_faces) {
+  for (const auto& corners : hexahedron_faces) {
     const Eigen::Vector3d a = nodes[cell[corners[0]]] - apex, b = nodes[cell[corners[1]]] - apex,
                           c = nodes[cell[corners[2]]] - apex, d = nodes[cell[corners[3]]] - apex;
     volume += (a + b).dot(cross(c, d)) + (c + d).dot(cross(a, b));
@@ -24,6 +25,7 @@ inline double hexahedron_volume(std::span<const Eigen::Vector3d> nodes, const st
 
 /// Volume of a tetrahedron [length^3]; negative if it is inside out.
 inline double tetrahedron_volume(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 4>& cell) {
+  using namespace detail;
   const Eigen::Vector3d &a = nodes[cell[0]], &b = nodes[cell[1]], &c = nodes[cell[2]], &d = nodes[cell[3]];
   return cross<double>(b - a, c - a).dot(d - a) / 6;
 }

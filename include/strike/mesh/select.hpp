@@ -23,6 +23,7 @@ inline Eigen::Vector3d unit(Axis axis) {
 
 /// Diagonal of the smallest box around the nodes [length], to which tolerances are relative.
 inline double extent(std::span<const Eigen::Vector3d> nodes) {
+  using namespace detail;
   if (nodes.empty()) return 0;
   Eigen::Vector3d lower = nodes[0], upper = nodes[0];
   for (const Eigen::Vector3d& x : nodes)
@@ -39,7 +40,8 @@ concept PositionPredicate =
 /// Mean position of the corners of a cell [length].
 template <std::size_t N>
 Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const std::array<Index, N>& cell) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  using namespace detail;
+  Eigen::Vector3d sum{0, 0, 0};
   for (const Index node : cell) sum += nodes[node];
   return (1.0 / N) * sum;
 }
@@ -91,6 +93,7 @@ Cells<N> cells_of(const Cells<N>& cells, std::span<const Index> numbers) {
 
 /// Number of the node nearest to a place, the lowest of several. Error: no nodes.
 inline Index nearest_node(std::span<const Eigen::Vector3d> nodes, const Eigen::Vector3d& place) {
+  using namespace detail;
   if (nodes.empty()) throw Error("strike: a mesh without nodes has no nearest node; build or read the mesh first.");
   Index nearest = 0;
   for (Index i = 1; i < nodes.size(); ++i)
@@ -100,7 +103,7 @@ inline Index nearest_node(std::span<const Eigen::Vector3d> nodes, const Eigen::V
 
 /// Predicate: in the plane normal . x = offset [length], within `tolerance` times the extent of the mesh.
 inline auto on_plane(const Eigen::Vector3d& normal, double offset, double tolerance = 1e-9) {
-  return [n = normal.normalized().eval(), offset, tolerance](const Eigen::Vector3d& x, double size) {
+  return [n = detail::direction(normal), offset, tolerance](const Eigen::Vector3d& x, double size) {
     return std::abs(n.dot(x) - offset) <= tolerance * size;
   };
 }
@@ -115,7 +118,8 @@ inline auto on_plane(Axis axis, double offset, double tolerance = 1e-9) {
 /// extent.
 inline auto on_cylinder(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
                         double tolerance = 1e-9) {
-  return [=, a = axis.normalized().eval()](const Eigen::Vector3d& x, double size) {
+  return [=, a = detail::direction(axis)](const Eigen::Vector3d& x, double size) {
+    using namespace detail;
     const Eigen::Vector3d r = x - centre;
     return std::abs((r - a * a.dot(r)).norm() - radius) <= tolerance * size;
   };
@@ -131,7 +135,10 @@ inline auto in_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, d
 
 /// Predicate: in the ball, its surface included within `tolerance` times the extent.
 inline auto in_sphere(const Eigen::Vector3d& centre, double radius, double tolerance = 1e-9) {
-  return [=](const Eigen::Vector3d& x, double size) { return (x - centre).norm() <= radius + tolerance * size; };
+  return [=](const Eigen::Vector3d& x, double size) {
+    using namespace detail;
+    return (x - centre).norm() <= radius + tolerance * size;
+  };
 }
 
 }  // namespace strike

@@ -44,7 +44,8 @@ inline Mesh rectangle(const RectangleShape& shape) {
     throw Error(detail::joined({"strike: a rectangle of size ", detail::text(width), " x ", detail::text(height),
                                 " has no area; give two positive edges in `.size`."}));
   return sheet(shape.cells, [&](double s, double t) {
-    return Eigen::Vector3d(shape.lower + Eigen::Vector3d(s * shape.size[0], t * shape.size[1], 0));
+    const Eigen::Vector3d& lower = shape.lower;
+    return Eigen::Vector3d(lower(0) + s * shape.size[0], lower(1) + t * shape.size[1], lower(2));
   });
 }
 

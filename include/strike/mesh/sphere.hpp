@@ -10,6 +10,7 @@
 #include <strike/mesh/disc.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -36,16 +37,16 @@ inline Mesh ball_octant(Index n) {
   };
   const auto sphere = [](const Eigen::Vector3d& u) {  // at equal angles
     constexpr double quarter = std::numbers::pi / 4;
-    return Eigen::Vector3d(std::tan(quarter * u[0]), std::tan(quarter * u[1]), std::tan(quarter * u[2])).normalized();
+    return direction({std::tan(quarter * u[0]), std::tan(quarter * u[1]), std::tan(quarter * u[2])});
   };
   Mesh ball;
   std::map<std::array<Index, 4>, Index> known;
   const auto node = [&](Index i, Index j, Index k, Index ring) {
     const auto [place, is_new] = known.insert({{i, j, k, ring}, static_cast<Index>(ball.nodes.size())});
     if (is_new) {
-      const Eigen::Vector3d u = Eigen::Vector3d(i, j, k) / n;
+      const Eigen::Vector3d u = Eigen::Vector3d(i, j, k) / double(n);
       const double t = double(ring) / n;
-      ball.nodes.push_back(ring == 0 ? core(u) : Eigen::Vector3d((1 - t) * core(u) + t * sphere(u)));
+      ball.nodes.push_back(ring == 0 ? core(u) : (1 - t) * core(u) + t * sphere(u));
     }
     return place->second;
   };
@@ -93,7 +94,7 @@ inline Mesh sphere(const SphereShape& shape) {
   if (shape.sector != Sector::quarter) detail::append_mirrored(mesh, {1, 0, 0});
   if (shape.sector == Sector::full) detail::append_mirrored(mesh, {0, 1, 0});
   mesh = merge_coincident_nodes(std::move(mesh), 1e-6 / shape.cells);
-  return scaled(std::move(mesh), Eigen::Vector3d::Constant(shape.radius));
+  return scaled(std::move(mesh), {shape.radius, shape.radius, shape.radius});
 }
 
 }  // namespace strike

@@ -25,14 +25,16 @@ struct Face {
 
 /// Area of a face times its outward unit normal [length^2]; of a warped face the vector area.
 inline Eigen::Vector3d area_vector(std::span<const Eigen::Vector3d> nodes, const Face& face) {
+  using namespace detail;
   const auto& [a, b, c, d] = face.nodes;
   return 0.5 * cross<double>(nodes[c] - nodes[a], nodes[d] - nodes[b]);
 }
 
 /// Mean position of the corners of a face [length].
 inline Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const Face& face) {
+  using namespace detail;
   const std::size_t corners = face.is_triangle() ? 3 : 4;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum{0, 0, 0};
   for (std::size_t i = 0; i < corners; ++i) sum += nodes[face.nodes[i]];
   return (1.0 / double(corners)) * sum;
 }

@@ -23,21 +23,23 @@ Mesh transformed(Mesh mesh, Place&& place) {
 
 /// The mesh moved by a displacement [length].
 inline Mesh translated(Mesh mesh, const Eigen::Vector3d& displacement) {
-  return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(x + displacement); });
+  using namespace detail;
+  return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return x + displacement; });
 }
 
 /// The mesh turned right-handedly about an axis through the origin by an angle [rad].
 inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
-  const Eigen::Vector3d n = axis.normalized();
+  using namespace detail;
+  const Eigen::Vector3d n = direction(axis);
   const double c = std::cos(angle), s = std::sin(angle);
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {  // Rodrigues' formula
-    return Eigen::Vector3d(c * x + s * cross(n, x) + (1 - c) * n.dot(x) * n);
+    return c * x + s * cross(n, x) + (1 - c) * n.dot(x) * n;
   });
 }
 
 /// The mesh stretched from the origin by a factor per axis. Error: a factor that is not positive.
 inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
-  if (!(factor.minCoeff() > 0))
+  if (!(factor(0) > 0 && factor(1) > 0 && factor(2) > 0))
     throw Error("strike: a mesh is scaled by positive factors only; use `mirrored` to reflect it.");
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(x[0] * factor[0], x[1] * factor[1], x[2] * factor[2]);
@@ -47,8 +49,9 @@ inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
 /// The mirror image in the plane through the origin with the given normal. Corners are reordered so that volumes stay
 /// positive, and quadrilaterals face the side that they faced.
 inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d n = normal.normalized();
-  mesh = transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(x - 2 * n.dot(x) * n); });
+  using namespace detail;
+  const Eigen::Vector3d n = direction(normal);
+  mesh = transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return x - 2 * n.dot(x) * n; });
   for (auto& c : mesh.hexahedra) c = {c[0], c[3], c[2], c[1], c[4], c[7], c[6], c[5]};
   for (auto& c : mesh.tetrahedra) c = {c[0], c[2], c[1], c[3]};
   for (auto& c : mesh.quadrilaterals) c = {c[0], c[3], c[2], c[1]};
@@ -95,6 +98,7 @@ inline Mesh renumbered(Mesh mesh, std::span<const Index> number, std::vector<Eig
 /// The mesh with nodes closer than `tolerance` [length] joined into the first of them; the others keep their order.
 /// Error: a tolerance that is not positive.
 inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
+  using namespace detail;
   if (!(tolerance > 0))
     throw Error("strike: nodes are joined within a positive tolerance; give the distance as a length.");
   // Kept nodes are hashed by the cube of edge 4 tolerance that holds them; a node looks into the cubes which its
@@ -118,7 +122,7 @@ inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
     }
     return hash & (buckets - 1);
   };
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(tolerance);
+  const Eigen::Vector3d reach{tolerance, tolerance, tolerance};
 
   std::vector<Index> number;
   for (const Eigen::Vector3d& x : mesh.nodes) {
@@ -139,7 +143,7 @@ inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
     }
     number.push_back(same);
   }
-  return detail::renumbered(std::move(mesh), number, std::move(kept));
+  return renumbered(std::move(mesh), number, std::move(kept));
 }
 
 /// Numbers of the nodes that belong to no cell, in ascending order.

@@ -35,7 +35,7 @@ class HeldDirections {
       direction = direction - overlap * h.direction;
     }
     if (direction.norm() < 1e-6) return Eigen::Vector3d::Zero();
-    direction.normalize();
+    direction = direction / direction.norm();
     *last = held_.size();
     held_.push_back({direction, how, none});
     return direction;

@@ -85,6 +85,21 @@ template <class S, std::floating_point T, int n>
 Eigen::Matrix<T, 3, n> operator*(const S& factor, const Eigen::Matrix<T, 3, n>& a) {
   return by_component<T, n>([&](int i) -> T { return factor * a(i); });
 }
+template <std::floating_point T, int n>
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator*(const Eigen::Matrix<T, 3, n>& a, const std::type_identity_t<T>& factor) {
+  return by_component<T, n>([&](int i) -> T { return a(i) * factor; });
+}
+template <std::floating_point T, int n>
+  requires(n > 0)
+Eigen::Matrix<T, 3, n> operator/(const Eigen::Matrix<T, 3, n>& a, const std::type_identity_t<T>& divisor) {
+  return by_component<T, n>([&](int i) -> T { return a(i) / divisor; });
+}
+/// The unit vector along a vector; zero of zero.
+inline Eigen::Vector3d direction(const Eigen::Vector3d& a) {
+  const double length = a.norm();
+  return length > 0 ? a / length : a;
+}
 
 }  // namespace detail
 
