@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include <strike/contact/first_touch.hpp>
 #include <strike/contact/follow_touch.hpp>
 #include <strike/contact/near_faces.hpp>
+#include <strike/contact/neighbourhood.hpp>
 #include <strike/contact/target.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/contact/touched_faces.hpp>
@@ -30,15 +33,29 @@ class Approach {
   void begin(const ContactNodes& all, InitialPenetration& inside) {
     faces_.size = faces_.target.mean_size(all.x);
     if constexpr (self) {
-      if (faces_.two_sided) start_ = all.x;
+      if (faces_.two_sided) start_ = all.x, neighbourhood_.find(faces_.target, start_, faces_.depth);
     }
     near_.sort(all, nodes_, faces_.target, faces_.depth, 0.5 * faces_.size);
-    if constexpr (!self) find_initial_depths(all, inside);
+    if (!self || faces_.two_sided) find_initial_depths(all, inside);
   }
-  /// Other nodes and faces, after cells have gone; all touches begin anew.
-  void forget(std::vector<Index> nodes, Target target) {
-    nodes_ = std::move(nodes), faces_.target = std::move(target);
-    touches_.assign(nodes_.size(), {});
+  /// Other nodes and faces, both in ascending order of their numbers, after cells have gone. A touch goes on where its
+  /// node and its face remain.
+  void change(std::vector<Index> nodes, Target target) {
+    std::vector<Touch> touches(nodes.size());
+    touching_.clear();
+    std::size_t last = 0;
+    for (std::size_t s = 0; s < nodes.size(); ++s) {
+      while (last < nodes_.size() && nodes_[last] < nodes[s]) ++last;
+      if (last == nodes_.size() || nodes_[last] != nodes[s] || touches_[last].side == 0) continue;
+      const FaceCorners& corners = faces_.target.faces()[touches_[last].face];
+      const Index face = target.find(corners);
+      if (face == Target::none) continue;
+      touches[s] = touches_[last], touches[s].face = face;
+      if (target.faces()[face] != corners) touches[s].side = -touches[s].side;  // its piece faces the other side now
+      touching_.push_back(static_cast<Index>(s));
+    }
+    nodes_ = std::move(nodes), faces_.target = std::move(target), touches_ = std::move(touches);
+    if (!start_.empty()) neighbourhood_.find(faces_.target, start_, faces_.depth);
     near_.forget();
   }
 
@@ -46,14 +63,19 @@ class Approach {
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs) {
     near_.update(all, nodes_, faces_.target, faces_.depth, faces_.size, step.dt);
     ahead_.clear();
-    for (const Index s : near_.awake()) {
+    visited_.clear();
+    std::set_union(near_.awake().begin(), near_.awake().end(), touching_.begin(), touching_.end(),
+                   std::back_inserter(visited_));
+    touching_.clear();
+    for (const Index s : visited_) {
       Touch& touch = touches_[s];
       const Index i = nodes_[s];
       if (touch.side != 0)
         follow<self>(touch, i, faces_, all, step.dt, pairs);
       else
-        begin_touch(FirstTouch<self>(i, faces_, all, step.dt, near_.step_reach(), start_), touch, near_.of(s), ahead_,
-                    pairs);
+        begin_touch(FirstTouch<self>(i, faces_, all, step.dt, near_.step_reach(), neighbourhood_), touch, near_.of(s),
+                    ahead_, pairs);
+      if (touch.side != 0) touching_.push_back(s);
     }
   }
   /// Takes note that the impulses of the step have moved the nodes.
@@ -67,7 +89,7 @@ class Approach {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(nodes_, faces_.target, touches_, near_);
+    archive(nodes_, faces_.target, touches_, touching_, near_, neighbourhood_);
   }
 
  private:
@@ -75,11 +97,14 @@ class Approach {
     for (const Index s : near_.awake()) {
       const Index i = nodes_[s];
       Foot best;
-      for (const Index f : near_.of(s))
+      for (const Index f : near_.of(s)) {
+        if (self && neighbourhood_.has(i, f)) continue;
         if (const Foot foot = faces_.foot(f, all, i); foot.point.distance2 < best.point.distance2) best = foot;
+      }
       const double side = faces_.side_of(best), gap = side * best.height - faces_.depth;
       if (!(gap < 0) || best.point.distance2 > 1e30 || (best.on_border && !faces_.two_sided)) continue;
       touches_[s] = {.side = side, .initial_depth = -gap, .face = best.face};
+      touching_.push_back(s);
       if (-gap > 1e-6 * faces_.size) inside.add(all.number(i), all.x[i], -gap);
     }
   }
@@ -87,9 +112,12 @@ class Approach {
   std::vector<Index> nodes_;
   TouchedFaces faces_;
   std::vector<Touch> touches_;
+  std::vector<Index> touching_,
+      visited_;  // places of nodes in the list: those that touch, however deep; those to look at
   NearFaces<self> near_;
   PositionsAhead ahead_;
-  std::vector<Eigen::Vector3d> start_;
+  std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
+  Neighbourhood neighbourhood_;
 };
 
 }  // namespace strike::detail

@@ -8,6 +8,7 @@
 #include <strike/contact/closest_point.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/fly_over.hpp>
+#include <strike/contact/neighbourhood.hpp>
 #include <strike/contact/target.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/contact/touched_faces.hpp>
@@ -31,14 +32,13 @@ class PositionsAhead {
 };
 
 /// Candidates for the first touch of node i: the nearest of the faces that it may meet in this step from outside, or,
-/// if it flies over faces, the one that it meets first. `start` are the positions at the start, which self-contact of
-/// plates needs.
+/// if it flies over faces, the one that it meets first. `neighbourhood` is that of self-contact of plates.
 template <bool self>
 class FirstTouch {
  public:
   FirstTouch(Index i, const TouchedFaces& faces, const ContactNodes& all, double dt, double reach,
-             std::span<const Eigen::Vector3d> start)
-      : i_(i), faces_(faces), all_(all), dt_(dt), reach_(reach), start_(start) {}
+             const Neighbourhood& neighbourhood)
+      : i_(i), faces_(faces), all_(all), dt_(dt), reach_(reach), neighbourhood_(neighbourhood) {}
 
   void consider(Index f) {
     const Target& target = faces_.target;
@@ -47,7 +47,7 @@ class FirstTouch {
     const bool flies = flies_over(f, faces_, all_, i_, dt_, reach_);
     if (!flies && (first_ <= 1 || is_farther(X))) return;
     if (is_off_plane(X)) return;
-    if (self && faces_.two_sided && is_neighbourhood(f)) return;
+    if (self && faces_.two_sided && neighbourhood_.has(i_, f)) return;
     const ClosestPoint point = target.closest(f, X, all_.x[i_]);
     if (!flies && point.distance2 >= best_.point.distance2) return;
     const Foot foot = target.foot(f, X, point, all_.x);
@@ -100,12 +100,6 @@ class FirstTouch {
                  warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
     return std::abs(from_plane) > (faces_.depth + reach_ + warp) * area.norm();
   }
-  /// True of a plate within a thickness of the node at the start: its own neighbourhood.
-  bool is_neighbourhood(Index f) const {
-    const Target& target = faces_.target;
-    return target.foot(f, target.corners(f, start_), start_[i_], start_).point.distance2 <
-           1.02 * faces_.depth * faces_.depth;
-  }
   /// True if a node that comes to an edge or a corner is inside at the end of the step, rather than past it.
   bool will_be_inside(std::span<const Eigen::Vector3d> ahead, double side) const {
     Foot foot;
@@ -119,7 +113,7 @@ class FirstTouch {
   const TouchedFaces& faces_;
   const ContactNodes& all_;
   double dt_, reach_;
-  std::span<const Eigen::Vector3d> start_;
+  const Neighbourhood& neighbourhood_;
   Foot best_;
   double first_ = 2;  // when the node meets the best face, as a fraction of the step; 2: it does not fly over faces
 };

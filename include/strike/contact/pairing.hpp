@@ -11,6 +11,7 @@
 #include <strike/contact/approach.hpp>
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/orientation.hpp>
 #include <strike/contact/rigid.hpp>
 #include <strike/contact/rigid_approach.hpp>
 #include <strike/contact/surface.hpp>
@@ -30,13 +31,14 @@ inline std::vector<Index> to_local(std::vector<Index> numbers, const ContactNode
   for (Index& i : numbers) i = all.local(i);
   return numbers;
 }
-/// Faces whose corners are numbers in the scene, as the target of a contact.
-inline Target target_of(const std::vector<Face>& faces, const ContactNodes& all) {
-  std::vector<std::array<Index, 4>> corners;
-  for (const Face& face : faces) {
+/// A surface, whose corners are numbers in the scene, as the target of a contact.
+inline Target target_of(const Surface& surface, const ContactNodes& all) {
+  std::vector<FaceCorners> corners;
+  for (const Face& face : surface.faces()) {
     corners.push_back(face.nodes);
     for (Index& i : corners.back()) i = all.local(i);
   }
+  if (surface.thickness() > 0) face_one_side(corners);
   return {std::move(corners), all.size()};
 }
 
@@ -53,7 +55,7 @@ class SurfaceMeeting {
     const bool fixed = !numbers.empty();
     if (!fixed) numbers = surface_nodes(surfaces_[from].faces());
     ways_.push_back({numbers, fixed, from, target});
-    approaches_.push_back(Approach<self>(to_local(numbers, all), target_of(other.faces(), all),
+    approaches_.push_back(Approach<self>(to_local(numbers, all), target_of(other, all),
                                          0.5 * (thickness + other.thickness()), other.thickness() > 0));
   }
 
@@ -78,7 +80,7 @@ class SurfaceMeeting {
   }
 
   /// Removes cells of a part from the surfaces. Nodes that come to the outside touch from now on, and nodes that have
-  /// lost all their cells still do.
+  /// lost all their cells still do. What touches goes on touching.
   void remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {
     std::vector<bool> changed;
     for (Surface& surface : surfaces_) changed.push_back(surface.remove(part, alive));
@@ -86,7 +88,7 @@ class SurfaceMeeting {
       auto& [numbers, fixed, from, target] = ways_[k];
       if (!changed[from] && !changed[target]) continue;
       if (!fixed) numbers = ascending(std::move(numbers), surface_nodes(surfaces_[from].faces()));
-      approaches_[k].forget(to_local(numbers, all), target_of(surfaces_[target].faces(), all));
+      approaches_[k].change(to_local(numbers, all), target_of(surfaces_[target], all));
     }
   }
 

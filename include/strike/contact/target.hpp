@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <strike/contact/closest_point.hpp>
+#include <strike/contact/orientation.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -33,7 +34,7 @@ class Target {
 
   Target() = default;
   /// Faces by their corners among n ContactNodes; a triangle repeats its third corner.
-  Target(std::vector<std::array<Index, 4>> faces, std::size_t n) : faces_(std::move(faces)), first_(n + 1, 0) {
+  Target(std::vector<FaceCorners> faces, std::size_t n) : faces_(std::move(faces)), first_(n + 1, 0) {
     const auto each_corner = [&](auto f) {
       for (std::size_t k = 0; k < faces_.size(); ++k)
         for (unsigned i = 0; i < count(k); ++i) f(k, faces_[k][i]);
@@ -48,13 +49,20 @@ class Target {
       for (unsigned i = 0; i < 4; ++i) across_[k][i] = i < count(k) ? find_across(k, i) : none;
   }
 
-  const std::vector<std::array<Index, 4>>& faces() const { return faces_; }
+  const std::vector<FaceCorners>& faces() const { return faces_; }
   unsigned count(std::size_t face) const { return faces_[face][2] == faces_[face][3] ? 3 : 4; }
   bool has(Index face, Index node) const {
     return std::find(faces_[face].begin(), faces_[face].end(), node) != faces_[face].end();
   }
   /// The faces that have a node as a corner.
   std::span<const Index> at(Index node) const { return {at_.data() + first_[node], first_[node + 1] - first_[node]}; }
+
+  /// The face with these corners, from either side; `none` if there is none.
+  Index find(const FaceCorners& corners) const {
+    for (const Index face : at(corners[0]))
+      if (faces_[face] == corners || faces_[face] == turned_over(corners)) return face;
+    return none;
+  }
 
   /// Mean diagonal of the faces [length].
   double mean_size(std::span<const Eigen::Vector3d> x) const {
@@ -138,7 +146,7 @@ class Target {
   }
   static Eigen::Vector3d mean_normal(const Corners& X) { return direction(cross<double>(X[2] - X[0], X[3] - X[1])); }
 
-  std::vector<std::array<Index, 4>> faces_, across_;
+  std::vector<FaceCorners> faces_, across_;
   std::vector<std::size_t> first_;
   std::vector<Index> at_;
 };

@@ -80,7 +80,7 @@ class Tied {
  private:
   /// Finds the place of every node on the surface.
   void tie() {
-    target_ = detail::target_of(surface_.faces(), all_);
+    target_ = detail::target_of(surface_, all_);
     const std::vector<Index> local = detail::to_local(nodes_, all_);
     if (!(tolerance_ > 0)) tolerance_ = 0.1 * target_.mean_size(all_.x);
     detail::BucketSearch search;
