@@ -86,6 +86,18 @@ struct Remove {
     meeting.remove(part, alive, nodes);
   }
 };
+struct CheckParts {
+  struct Decoy {
+    int check_parts;
+  };
+  template <class Model>
+  using Member = decltype(&Model::check_parts);
+  static void call(const auto& meeting, const std::vector<std::size_t>& elements)
+    requires requires { meeting.check_parts(elements); }
+  {
+    meeting.check_parts(elements);
+  }
+};
 
 }  // namespace detail
 
@@ -146,6 +158,9 @@ concept RigidBody = std::copyable<B> && requires(const B body, const Eigen::Vect
 /// 4. `largest_inverse_mass()` bounds the 1/m* of all pairs [1/mass].
 /// 5. `serialize(archive)`: see strike/output/archive.hpp.
 /// 6. `remove(part, alive, nodes)`, optional: cells of a part have gone.
+/// 7. `check_parts(elements) const`, optional: throws an Error if it names a part, or elements of a part, that the
+/// scene
+///    does not have; elements[p] is the number of elements of part p.
 ///
 /// Laws that no compiler checks: `pair.stored` stays the same number as long as a touch lasts, and begins at 0.
 ///

@@ -84,6 +84,10 @@ class Contact {
     return stable_step_with_contact(dt, kappa);
   }
 
+  /// Error: a surface of a part, or of cells, that the scene does not have.
+  void check_parts(const std::vector<std::size_t>& elements) const {
+    if (meeting_) detail::call_if_present<detail::CheckParts>(*meeting_, elements);
+  }
   /// Removes the cells of a part that are not alive from the surfaces.
   void remove(std::size_t part, const std::vector<bool>& alive) {
     detail::call_if_present<detail::Remove>(*meeting_, part, alive, all_);

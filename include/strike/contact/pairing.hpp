@@ -79,6 +79,9 @@ class SurfaceMeeting {
     return sum;
   }
 
+  void check_parts(const std::vector<std::size_t>& elements) const {
+    for (const Surface& surface : surfaces_) surface.check_part(elements);
+  }
   /// Removes cells of a part from the surfaces. Nodes that come to the outside touch from now on, and nodes that have
   /// lost all their cells still do. What touches goes on touching.
   void remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {

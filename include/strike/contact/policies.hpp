@@ -38,6 +38,7 @@ enum class ContactFlaw {
   pairing,
   points,
   remove,
+  check_parts,
   press,
   kappa,
   impulse,
@@ -56,6 +57,7 @@ constexpr ContactFlaw contact_flaw() {
     if (nearly<Points, const P>) return ContactFlaw::points;
     if (nearly<Remove, MeetingOf<P>, const std::size_t, const std::vector<bool>, const ContactNodes>)
       return ContactFlaw::remove;
+    if (nearly<CheckParts, const MeetingOf<P>, const std::vector<std::size_t>>) return ContactFlaw::check_parts;
     if (((HasName<Press, Policies> && !ContactLaw<Policies>) || ...)) return ContactFlaw::press;
     if (((ContactLaw<Policies> && nearly<Kappa, const Policies, double>) || ...)) return ContactFlaw::kappa;
     if (((HasName<Impulse, Policies> && !Friction<Policies>) || ...)) return ContactFlaw::impulse;
@@ -98,6 +100,9 @@ constexpr void refuse_contact() {
   static_assert(flaw != remove,
                 "strike: the remove of what this pairing starts does not fit; write remove(std::size_t part, const "
                 "std::vector<bool>& alive, const ContactNodes& nodes).");
+  static_assert(flaw != check_parts,
+                "strike: the check_parts of what this pairing starts does not fit; write check_parts(const "
+                "std::vector<std::size_t>& elements) const.");
   static_assert(
       flaw != press,
       "strike: the press of this normal law does not fit; write double press(std::vector<ContactPair>& pairs, "

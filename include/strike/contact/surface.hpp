@@ -37,6 +37,21 @@ class Surface {
   /// Numbers of the nodes that are on the surface or may become so when cells are removed, in ascending order.
   std::vector<Index> nodes() const { return surface_nodes(of_cells_.empty() ? faces_ : of_cells_); }
 
+  /// Error: it is of a part that the scene does not have, or of other cells than the elements of its part.
+  void check_part(const std::vector<std::size_t>& elements) const {
+    if (!part_) return;
+    if (*part_ >= elements.size())
+      throw Error(detail::joined({"strike: a Surface is of part ", std::to_string(*part_), ", but the scene has ",
+                                  std::to_string(elements.size()), elements.size() == 1 ? " part" : " parts",
+                                  "; count its parts from 0."}));
+    if (cells_ != elements[*part_])
+      throw Error(
+          detail::joined({"strike: a Surface of part ", std::to_string(*part_), " was made of ", std::to_string(cells_),
+                          " cells, but the number of the part's elements is ", std::to_string(elements[*part_]),
+                          "; give solid_surface or plate_surface the cells of the part and its place among the "
+                          "parts."}));
+  }
+
   /// Removes the cells of a part that are not alive and their faces; the faces that they covered are outside from now
   /// on. Returns true if the surface has changed. Linear in the cells of the part. Error: fewer flags than cells.
   bool remove(std::size_t part, const std::vector<bool>& alive) {
@@ -66,13 +81,14 @@ class Surface {
   friend Surface plate_surface(const Cells<4>&, double, std::size_t);
 
   /// `of_cells` are all faces of all cells, inner ones too.
-  Surface(std::vector<Face> faces, std::vector<Face> of_cells, double thickness, std::size_t part)
+  Surface(std::vector<Face> faces, std::vector<Face> of_cells, std::size_t cells, double thickness, std::size_t part)
       : Surface(std::move(faces), thickness) {
-    of_cells_ = std::move(of_cells), part_ = part;
+    of_cells_ = std::move(of_cells), cells_ = cells, part_ = part;
   }
 
   std::vector<Face> faces_, of_cells_;
   double thickness_;
+  std::size_t cells_ = 0;  ///< number of the cells that it was made of
   std::optional<std::size_t> part_;
 };
 
@@ -80,17 +96,17 @@ class Surface {
 inline Surface solid_surface(const Cells<8>& cells, std::size_t part) {
   std::vector<Face> all;
   detail::append_faces(all, cells, detail::hexahedron_faces, 0);
-  return Surface(detail::unshared(all), all, 0, part);
+  return Surface(detail::unshared(all), all, cells.size(), 0, part);
 }
 /// The outside of the tetrahedra of a part.
 inline Surface solid_surface(const Cells<4>& cells, std::size_t part) {
   std::vector<Face> all;
   detail::append_faces(all, cells, detail::tetrahedron_faces, 0);
-  return Surface(detail::unshared(all), all, 0, part);
+  return Surface(detail::unshared(all), all, cells.size(), 0, part);
 }
 /// The middle surface of the plates of a part, of that thickness [length].
 inline Surface plate_surface(const Cells<4>& cells, double thickness, std::size_t part) {
-  return Surface(quadrilateral_surface(cells), quadrilateral_surface(cells), thickness, part);
+  return Surface(quadrilateral_surface(cells), quadrilateral_surface(cells), cells.size(), thickness, part);
 }
 
 }  // namespace strike

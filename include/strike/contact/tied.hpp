@@ -62,6 +62,9 @@ class Tied {
     step_ = step;
   }
 
+  /// Error: a surface of a part, or of cells, that the scene does not have.
+  void check_parts(const std::vector<std::size_t>& elements) const { surface_.check_part(elements); }
+
   /// The force on the tied nodes in the last step.
   Eigen::Vector3d force() const {
     using namespace detail;

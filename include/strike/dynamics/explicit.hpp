@@ -140,6 +140,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     this->complete_inertia();
     moved_by_rounding_ = this->moved_by_rounding();
     this->each([&](auto& item) { detail::call_if_present<detail::item::Begin>(item, this->nodes_); });
+    this->check_parts();
     ledger_.kinetic = detail::kinetic_energy(this->nodes_);
     this->each([&](auto& item) {
       if constexpr (is_running_part<decltype(item)>) ledger_.internal.book(item.stored_energy());

@@ -24,8 +24,10 @@ namespace strike {
 //  5. resolve_contact(nodes, step, ledger)   corrects the velocities along directions that are nodes.free
 //  6. remove(part, alive)                    after a step that has deleted elements, once for each such part: `part` is
 //                                            its number, alive[e] is false once its element e is deleted
-//  7. warning() -> std::string               a sentence that the user should read before the results; empty: none
-//  8. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
+//  7. check_parts(elements)                  once, after begin: elements[p] is the number of elements of part p, a
+//                                            std::vector<std::size_t>; throws an Error if the item names others
+//  8. warning() -> std::string               a sentence that the user should read before the results; empty: none
+//  9. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
 //
 // Laws. Work that enters or leaves the nodes is booked, by the ledger or by power. The result does not depend on how
 // nodes lie in memory: an item names them by their numbers. An item that changes no velocity and no force changes no
@@ -101,6 +103,16 @@ struct Remove {
     return item.remove(part, alive);
   }
 };
+struct CheckParts {
+  struct Decoy {
+    int check_parts;
+  };
+  template <class Item>
+  using Member = decltype(&Item::check_parts);
+  static auto call(const auto& item, const std::vector<std::size_t>& elements) -> decltype(item.check_parts(elements)) {
+    return item.check_parts(elements);
+  }
+};
 struct Warning {
   struct Decoy {
     int warning;
@@ -142,6 +154,7 @@ enum class Fault {
   constrain,
   resolve_contact,
   remove,
+  check_parts,
   warning
 };
 
@@ -165,6 +178,7 @@ constexpr Fault fault() {
                 (MistakesResolveContact<Item, N> && !has<ResolveContact, Item, N, const Step, Ledger>))
     return Fault::resolve_contact;
   if constexpr (misses<Remove, Item, Part, Alive>) return Fault::remove;
+  if constexpr (misses<CheckParts, const Item, const std::vector<std::size_t>>) return Fault::check_parts;
   if constexpr (misses<Warning, const Item>) return Fault::warning;
   if constexpr (!(has<Begin, Item, N> || has<StableStep, Item, double> || has<ApplyLoads, Item, N, double> ||
                   has<Constrain, Item, N, const Step, Ledger> || has<ResolveContact, Item, N, const Step, Ledger> ||

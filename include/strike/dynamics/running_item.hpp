@@ -97,6 +97,9 @@ struct CheckedItem {
   static_assert(fault != item::Fault::remove,
                 "strike: remove of an item is called as remove(part, alive), with the number of a part and a "
                 "std::vector<bool> by its elements.");
+  static_assert(fault != item::Fault::check_parts,
+                "strike: check_parts of an item is a constant function, called as check_parts(elements), with a "
+                "std::vector<std::size_t> of the number of elements of each part.");
   static_assert(fault != item::Fault::warning,
                 "strike: warning of an item is a constant function, called as warning(), that returns a sentence.");
 };

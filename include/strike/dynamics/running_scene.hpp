@@ -111,6 +111,12 @@ class RunningScene {
     return values;
   }
 
+  /// Errors: an item that names a part, or elements of a part, that the scene does not have.
+  void check_parts() const {
+    std::vector<std::size_t> elements;
+    each_part([&](const auto& part) { elements.push_back(part.size()); });
+    each([&](const auto& item) { call_if_present<item::CheckParts>(item, elements); });
+  }
   /// Error: a node without mass.
   void check_masses() const {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
