@@ -4,6 +4,9 @@
 #include <strike/contact/tied.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/load/initial_velocity.hpp>
+#include <strike/load/nodal_force.hpp>
+#include <strike/load/support.hpp>
+#include <strike/mesh/select.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/transform.hpp>
 
@@ -80,4 +83,49 @@ TEST_CASE("a node that is not at the surface cannot be tied to it") {
   stack.nodes.back() = stack.faces[0].nodes[0];
   CHECK_THROWS_WITH(stack.run([](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 0); }),
                     Catch::Matchers::ContainsSubstring("belongs to"));
+}
+
+namespace {
+
+/// Deletes all elements of a part at once.
+struct Doomed {
+  const bool* now;
+  template <class State, class Condition>
+  auto keeps(const State&, const Condition& element) const {
+    return element.relative_volume() > (*now ? 2.0 : 0.0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a tie ends with the element that it is tied to, and not before") {
+  const Stack stack;
+  const auto middle = stack.mesh.hexahedra.begin() + 8;
+  const Cells<8> lower(stack.mesh.hexahedra.begin(), middle), upper(middle, stack.mesh.hexahedra.end());
+  const Elastic stiff{1000, 1e9, 0.3};
+  bool now = false;
+  std::vector<Index> pulled;
+  for (Index i = stack.first_upper; i < stack.mesh.nodes.size(); ++i) pulled.push_back(i);
+  Explicit run{Scene{stack.mesh.nodes, Part{Hex8{}, stiff, upper}, Part{Hex8{}, stiff, lower, Doomed{&now}},
+                     Clamped{nodes_where(stack.mesh.nodes, on_plane(Axis::z, 0))}, NodalForce{{0, 0, 1000}, pulled},
+                     Tied{stack.nodes, solid_surface(lower, 1)}},
+               ExplicitOptions{.energy_tolerance = 10, .print_warnings = false}};
+  const auto& tied = run.item<4>();
+  const auto momentum = [&] {
+    double p = 0;
+    for (const Index i : pulled) p += run.nodes().mass(i) * run.nodes().v(i).z();
+    return p;
+  };
+  run.until(2e-2);
+  CHECK(tied.size() == 16);
+  CHECK(tied.force().z() < 0);
+  now = true;
+  run.until(2.5e-2);
+  const double before = momentum(), start = run.time();
+  run.until(3e-2);
+  CHECK(run.part<1>().deleted() == 8);
+  CHECK(tied.size() == 0);
+  CHECK(tied.force() == Eigen::Vector3d::Zero());
+  // The load alone is left: p = F t, to half a step, by which velocities are ahead.
+  CHECK(momentum() - before == Approx(1000 * static_cast<double>(pulled.size()) * (run.time() - start)).epsilon(0.02));
 }

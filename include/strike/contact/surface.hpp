@@ -34,6 +34,9 @@ class Surface {
   const std::vector<Face>& faces() const { return faces_; }
   double thickness() const { return thickness_; }
 
+  /// True of the cells of a part, which may be deleted.
+  bool is_of(std::size_t part) const { return part_ == part; }
+
   /// Numbers of the nodes that are on the surface or may become so when cells are removed, in ascending order.
   std::vector<Index> nodes() const { return surface_nodes(of_cells_.empty() ? faces_ : of_cells_); }
 

@@ -25,7 +25,8 @@ namespace strike {
 
 /// Nodes tied to their places on a surface: a joint of meshes that need not fit. Impulses remove the velocity of every
 /// node relative to its point, node after node, until all fit; they keep momentum, and its moment where nodes lie on
-/// the faces, and need no smaller step.
+/// the faces, and need no smaller step. On a surface of a part (`solid_surface`, `plate_surface`) a tie ends with the
+/// element that it is tied to.
 class Tied {
  public:
   /// `tolerance` is the largest distance of a node from the surface [length]; 0: a tenth of the mean diagonal of a
@@ -62,6 +63,17 @@ class Tied {
     step_ = step;
   }
 
+  /// Unties the nodes from the cells of a part that are not alive.
+  void remove(std::size_t part, const std::vector<bool>& alive) {
+    if (!surface_.is_of(part)) return;
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < ties_.size(); ++k)
+      if (alive.at(surface_.faces()[faces_[k]].cell)) ties_[left] = ties_[k], faces_[left] = faces_[k], ++left;
+    ties_.resize(left), faces_.resize(left);
+  }
+  /// Number of the nodes that are tied.
+  std::size_t size() const { return ties_.size(); }
+
   /// Error: a surface of a part, or of cells, that the scene does not have.
   void check_parts(const std::vector<std::size_t>& elements) const { surface_.check_part(elements); }
 
@@ -77,7 +89,7 @@ class Tied {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(all_, step_, sweeps_);
+    archive(all_, step_, sweeps_, ties_, faces_);
   }
 
  private:
