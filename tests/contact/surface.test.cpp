@@ -23,11 +23,10 @@ TEST_CASE("a Surface of a part that the scene does not have, or of other cells, 
   const auto run = [&](auto contact) {
     Explicit{Scene{mesh.nodes, Part{Hex8{}, stiff, slab}, Part{Hex8{}, stiff, cube}, std::move(contact)}};
   };
-  const std::string
-      other_part = "strike: a Surface is of part 2, but the scene has 2 parts; count its parts from 0.",
-      other_cells =
-          "strike: a Surface of part 1 was made of 2 cells, but the number of the part's elements is 1; give "
-          "solid_surface or plate_surface the cells of the part and its place among the parts.";
+  const std::string other_part = "strike: a Surface is of part 2, but the scene has 2 parts; count its parts from 0.",
+                    other_cells =
+                        "strike: a Surface of part 1 was made of 2 cells, but the part has 1; give it the "
+                        "cells of the part and its place.";
   CHECK_THROWS_WITH(run(Contact{NodeToSurface{above, solid_surface(slab, 2)}}), other_part);
   CHECK_THROWS_WITH(run(Contact{TwoWay{solid_surface(cube, 1), solid_surface(slab, 1)}}), other_cells);
   CHECK_THROWS_WITH(run(Contact{SelfContact{solid_surface(slab, 1)}}), other_cells);

@@ -108,8 +108,7 @@ struct CheckParts {
 ///    `pair.push(nodes, J)`, and returns the largest stiffness over mass that it has set on a node, kappa [1/time^2],
 ///    from which the stable step follows; 0 if there is none.
 /// 3. `kappa(inverse_effective_mass) const`, optional: the kappa that the first touch of a pair with 1/m* may set,
-/// where
-///    that can exceed what the step allows.
+///    where that can exceed what the step allows.
 ///
 /// Laws that no compiler checks: it never pulls, J >= 0; a contact gives back no more energy than it took; the result
 /// does not depend on threads. `testing::conforms_as_contact` checks them.

@@ -146,7 +146,7 @@ class Contact {
     using namespace detail;
     std::vector<std::pair<Index, Eigen::Vector3d>> of_nodes;
     for (const Index i : all_.touched())
-      of_nodes.push_back({all_.number(i), (all_.normal_impulse[i] + all_.friction_impulse[i]) / step_.kick()});
+      of_nodes.emplace_back(all_.number(i), (all_.normal_impulse[i] + all_.friction_impulse[i]) / step_.kick());
     return of_nodes;
   }
 

@@ -115,8 +115,7 @@ inline void check_law(const Penalty& law) {
   if (!(law.fraction > 0 && law.fraction <= 2) || !(law.stiffness >= 0))
     throw Error(
         joined({"strike: a Penalty has the fraction ", text(law.fraction), " and the stiffness ", text(law.stiffness),
-                "; give a fraction of m*/dt^2 between 0 and 2, such as 0.5, and a stiffness that is positive "
-                "or left out."}));
+                "; give a fraction of m*/dt^2 between 0 and 2, and a positive stiffness or none."}));
 }
 inline void check_law(const Kinematic& law) {
   if (law.sweeps < 1)

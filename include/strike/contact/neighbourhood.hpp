@@ -20,7 +20,7 @@ class Neighbourhood {
     const double reach2 = 1.02 * depth * depth;
     std::vector<Index> chain;
     for (std::size_t i = 0; i < start.size(); ++i) {
-      const Index node = static_cast<Index>(i);
+      const auto node = static_cast<Index>(i);
       chain.assign(target.at(node).begin(), target.at(node).end());
       for (std::size_t k = 0; k < chain.size(); ++k)
         for (unsigned c = 0; c < target.count(chain[k]); ++c)

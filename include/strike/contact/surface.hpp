@@ -48,11 +48,9 @@ class Surface {
                                   std::to_string(elements.size()), elements.size() == 1 ? " part" : " parts",
                                   "; count its parts from 0."}));
     if (cells_ != elements[*part_])
-      throw Error(
-          detail::joined({"strike: a Surface of part ", std::to_string(*part_), " was made of ", std::to_string(cells_),
-                          " cells, but the number of the part's elements is ", std::to_string(elements[*part_]),
-                          "; give solid_surface or plate_surface the cells of the part and its place among the "
-                          "parts."}));
+      throw Error(detail::joined({"strike: a Surface of part ", std::to_string(*part_), " was made of ",
+                                  std::to_string(cells_), " cells, but the part has ", std::to_string(elements[*part_]),
+                                  "; give it the cells of the part and its place."}));
   }
 
   /// Removes the cells of a part that are not alive and their faces; the faces that they covered are outside from now
@@ -99,17 +97,17 @@ class Surface {
 inline Surface solid_surface(const Cells<8>& cells, std::size_t part) {
   std::vector<Face> all;
   detail::append_faces(all, cells, detail::hexahedron_faces, 0);
-  return Surface(detail::unshared(all), all, cells.size(), 0, part);
+  return {detail::unshared(all), all, cells.size(), 0, part};
 }
 /// The outside of the tetrahedra of a part.
 inline Surface solid_surface(const Cells<4>& cells, std::size_t part) {
   std::vector<Face> all;
   detail::append_faces(all, cells, detail::tetrahedron_faces, 0);
-  return Surface(detail::unshared(all), all, cells.size(), 0, part);
+  return {detail::unshared(all), all, cells.size(), 0, part};
 }
 /// The middle surface of the plates of a part, of that thickness [length].
 inline Surface plate_surface(const Cells<4>& cells, double thickness, std::size_t part) {
-  return Surface(quadrilateral_surface(cells), quadrilateral_surface(cells), cells.size(), thickness, part);
+  return {quadrilateral_surface(cells), quadrilateral_surface(cells), cells.size(), thickness, part};
 }
 
 }  // namespace strike

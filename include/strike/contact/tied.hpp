@@ -125,8 +125,7 @@ class Tied {
     if (!(best.point.distance2 <= tolerance_ * tolerance_))
       throw Error(detail::joined({"strike: node ", std::to_string(nodes_[s]), " at ", detail::text(all_.x[node]),
                                   " is farther than ", detail::text(tolerance_),
-                                  " from the surface that it is to be tied to; move it there or give Tied a larger "
-                                  "tolerance."}));
+                                  " from the surface that it is tied to; move it there or raise the tolerance."}));
     return best;
   }
 

@@ -64,9 +64,9 @@ struct LanesOfOutcome {
         const auto b = first_block + static_cast<std::size_t>(static_cast<double>(lane(block, l)));
         return std::min(b * lanes<T> + l, elements - 1);
       };
-      if (const double rate = static_cast<double>(lane(critical_rate, l)); outcome.critical_rate < rate)
+      if (const auto rate = static_cast<double>(lane(critical_rate, l)); outcome.critical_rate < rate)
         outcome.critical_rate = rate, outcome.slowest = place_of(slowest);
-      if (const double V = static_cast<double>(lane(inverted_volume, l)); !(V > 0))
+      if (const auto V = static_cast<double>(lane(inverted_volume, l)); !(V > 0))
         outcome.inverted_volume = V, outcome.inverted = place_of(inverted);
     }
     outcome.internal_work = static_cast<double>(reduce_sum(internal_work));

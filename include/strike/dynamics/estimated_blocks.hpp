@@ -9,9 +9,7 @@
 #include <strike/element/element.hpp>
 #include <strike/tensor/tensor.hpp>
 
-namespace strike {
-
-namespace detail {
+namespace strike::detail {
 
 /// A material that remembers the strain of its shape.
 template <class M>
@@ -107,6 +105,4 @@ struct EstimatedBlocks<std::tuple<Items...>> : std::tuple<typename EstimatedBloc
   std::tuple<typename EstimatedBlocksOf<Items>::type...>& all() { return *this; }
 };
 
-}  // namespace detail
-
-}  // namespace strike
+}  // namespace strike::detail

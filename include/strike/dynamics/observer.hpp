@@ -4,8 +4,6 @@
 
 #include <strike/protocol.hpp>
 
-namespace strike {
-
 // An observer of a run: run.until(end, observer, ...).
 //
 // Requirements. An observer has function 1 and may have the others; all observers see one moment before any sees the
@@ -15,8 +13,7 @@ namespace strike {
 //  3. last(run)                         called when the run has to be given up, before the Error leaves
 //  4. save(run, observers)              called after a step that all observers have seen
 //  5. resume(run, observers) -> bool    called before the run begins: true if it has put the run and all observers
-//  where
-//                                       they once were, so that none is called before the first step
+//                                       where they once were, so that none is called before the first step
 //  6. Action                            the type of what it calls as f() or f(run), if it calls something
 //  7. serialize(archive)                its memory, for a Checkpoint; see strike/output/archive.hpp
 //
@@ -24,7 +21,7 @@ namespace strike {
 //
 // Models: Every, StopWhen (strike/dynamics/), Progress, Checkpoint (strike/output/); any lambda.
 
-namespace detail::observer {
+namespace strike::detail::observer {
 
 struct Stops {
   struct Decoy {
@@ -135,6 +132,4 @@ bool resumes(Observer& observer, Run& run, const All& all) {
     return false;
 }
 
-}  // namespace detail::observer
-
-}  // namespace strike
+}  // namespace strike::detail::observer

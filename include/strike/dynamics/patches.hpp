@@ -33,7 +33,7 @@ class Patches {
     for (std::size_t first = 0; first < blocks; first += size) {
       const std::size_t last = std::min(first + size, blocks), block = corners.size() / blocks;
       Patch patch{first, last, first_node, first_node, next_ghost(), 0};
-      const Index number = static_cast<Index>(patches_.size() + 1);
+      const auto number = static_cast<Index>(patches_.size() + 1);
       for (std::size_t k = first * block; k < last * block; ++k) {
         Index& place = corners[k];
         patch.last_node = std::max(patch.last_node, place + 1);

@@ -63,11 +63,9 @@ inline Mesh ball_octant(Index n) {
           const auto on_face = [&](Index p, Index q, Index r) {
             return face == 0 ? node(n, p, q, r) : face == 1 ? node(q, n, p, r) : node(p, q, n, r);
           };
-          std::array<Index, 8> cell;
-          for (Index r = 0; r < 2; ++r)
-            cell[4 * r] = on_face(a, b, ring + r), cell[4 * r + 1] = on_face(a + 1, b, ring + r),
-                     cell[4 * r + 2] = on_face(a + 1, b + 1, ring + r), cell[4 * r + 3] = on_face(a, b + 1, ring + r);
-          ball.hexahedra.push_back(cell);
+          ball.hexahedra.push_back({on_face(a, b, ring), on_face(a + 1, b, ring), on_face(a + 1, b + 1, ring),
+                                    on_face(a, b + 1, ring), on_face(a, b, ring + 1), on_face(a + 1, b, ring + 1),
+                                    on_face(a + 1, b + 1, ring + 1), on_face(a, b + 1, ring + 1)});
         }
   return ball;
 }

@@ -3,9 +3,7 @@
 #include <strike/material/strength/strength.hpp>
 #include <strike/protocol.hpp>
 
-namespace strike {
-
-namespace detail {
+namespace strike::detail {
 
 struct FlowStress {
   struct Decoy {
@@ -112,6 +110,4 @@ struct StrengthReport {
   using OnLanes = Tried<&StrengthReport::try_on_lanes>;
 };
 
-}  // namespace detail
-
-}  // namespace strike
+}  // namespace strike::detail
