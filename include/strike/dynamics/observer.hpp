@@ -14,6 +14,7 @@
 //  4. save(run, observers)              called after a step that all observers have seen
 //  5. resume(run, observers) -> bool    called before the run begins: true if it has put the run and all observers
 //                                       where they once were, so that none is called before the first step
+//     keeps<Run>                        static constexpr bool, false if an item of the run has no serialize; or none
 //  6. Action                            the type of what it calls as f() or f(run), if it calls something
 //  7. serialize(archive)                its memory, for a Checkpoint; see strike/output/archive.hpp
 //
@@ -66,7 +67,7 @@ template <class Observer>
 concept CalledAlone = requires(Observer& observer) { observer(); };
 
 /// The first fault of an observer, in the order of the requirements; `All` is the tuple of all observers.
-enum class Fault { none, not_callable, returns_bool, stops, last, save, resume };
+enum class Fault { none, not_callable, returns_bool, stops, last, save, resume, forgetful };
 
 /// The fault of what is called as f(run) or f().
 template <class Action, class Run>
@@ -90,6 +91,8 @@ constexpr Fault fault() {
   if constexpr (nearly<Last, Observer, Run>) return Fault::last;
   if constexpr (nearly<Save, Observer, Run, const All>) return Fault::save;
   if constexpr (nearly<Resume, Observer, Run, const All>) return Fault::resume;
+  if constexpr (requires { Observer::template keeps<Run>; })
+    if constexpr (!Observer::template keeps<Run>) return Fault::forgetful;
   return Fault::none;
 }
 
@@ -107,6 +110,9 @@ constexpr bool report() {
   static_assert(found != Fault::save, "strike: save of an observer is called as save(run, observers).");
   static_assert(found != Fault::resume,
                 "strike: resume of an observer is called as resume(run, observers) and returns a bool.");
+  static_assert(found != Fault::forgetful,
+                "strike: an item of this Scene has no function serialize for a checkpoint: give it template <class "
+                "Archive> void serialize(Archive& archive) { archive(...); }, with empty braces if it has no state.");
   return found == Fault::none;
 }
 /// Calls f(run), or else f().

@@ -227,12 +227,16 @@ class Checkpoint {
                           " and the seconds ", detail::text(options.seconds), "; give positive ones."}));
   }
 
+  /// False if an item of a run has no function serialize; until(end, ...) says so in one sentence.
+  template <class Run>
+  static constexpr bool keeps = Run::template remembers<Archive>();
+
   void operator()() const {}  // `save` runs after the other observers
   /// Restores the run before it starts; true if there was a file.
   template <class Run, class Observers>
   bool resume(Run& run, Observers observers) {
     start_clocks(run);
-    if constexpr (detail::remembers<Run>()) {
+    if constexpr (keeps<Run>) {
       if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
       All<Run, Observers> all{run, companions_, observers};
       read_checkpoint(path_, all);
@@ -244,7 +248,7 @@ class Checkpoint {
   /// Writes the file if it is due: after each step, after the other observers.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
-    if constexpr (detail::remembers<Run>()) {
+    if constexpr (keeps<Run>) {
       if (run.time() < next_ && detail::wall_clock() < alarm_) return;
       All<Run, Observers> all{run, companions_, observers};
       write_checkpoint(path_, all);
