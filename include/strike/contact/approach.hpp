@@ -112,8 +112,8 @@ class Approach {
   std::vector<Index> nodes_;
   TouchedFaces faces_;
   std::vector<Touch> touches_;
-  std::vector<Index> touching_,
-      visited_;  // places of nodes in the list: those that touch, however deep; those to look at
+  std::vector<Index> touching_;  // places in the list of the nodes that touch, however deep
+  std::vector<Index> visited_;   // and of those that the step looks at
   NearFaces<self> near_;
   PositionsAhead ahead_;
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves

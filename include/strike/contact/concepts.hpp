@@ -157,9 +157,8 @@ concept RigidBody = std::copyable<B> && requires(const B body, const Eigen::Vect
 /// 4. `largest_inverse_mass()` bounds the 1/m* of all pairs [1/mass].
 /// 5. `serialize(archive)`: see strike/output/archive.hpp.
 /// 6. `remove(part, alive, nodes)`, optional: cells of a part have gone.
-/// 7. `check_parts(elements) const`, optional: throws an Error if it names a part, or elements of a part, that the
-/// scene
-///    does not have; elements[p] is the number of elements of part p.
+/// 7. `check_parts(elements) const`, optional: throws an Error if it names a part, or elements of a part, that are not
+///    in the scene; elements[p] is the number of elements of part p.
 ///
 /// Laws that no compiler checks: `pair.stored` stays the same number as long as a touch lasts, and begins at 0.
 ///

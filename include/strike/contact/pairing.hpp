@@ -83,7 +83,7 @@ class SurfaceMeeting {
     for (const Surface& surface : surfaces_) surface.check_part(elements);
   }
   /// Removes cells of a part from the surfaces. Nodes that come to the outside touch from now on, and nodes that have
-  /// lost all their cells still do. What touches goes on touching.
+  /// lost all their cells still do. Touches of other cells go on.
   void remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {
     std::vector<bool> changed;
     for (Surface& surface : surfaces_) changed.push_back(surface.remove(part, alive));

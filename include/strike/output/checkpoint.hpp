@@ -236,24 +236,19 @@ class Checkpoint {
   template <class Run, class Observers>
   bool resume(Run& run, Observers observers) {
     start_clocks(run);
-    if constexpr (keeps<Run>) {
-      if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
-      All<Run, Observers> all{run, companions_, observers};
-      read_checkpoint(path_, all);
-      start_clocks(run);
-      return true;
-    }
-    return false;
+    if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
+    All<Run, Observers> all{run, companions_, observers};
+    read_checkpoint(path_, all);
+    start_clocks(run);
+    return true;
   }
   /// Writes the file if it is due: after each step, after the other observers.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
-    if constexpr (keeps<Run>) {
-      if (run.time() < next_ && detail::wall_clock() < alarm_) return;
-      All<Run, Observers> all{run, companions_, observers};
-      write_checkpoint(path_, all);
-      start_clocks(run);
-    }
+    if (run.time() < next_ && detail::wall_clock() < alarm_) return;
+    All<Run, Observers> all{run, companions_, observers};
+    write_checkpoint(path_, all);
+    start_clocks(run);
   }
 
  private:
