@@ -80,6 +80,13 @@ static_assert(fault<WithoutTime> == Fault::apply_loads && fault<Pushes> == Fault
 static_assert(fault<WithoutPower> == Fault::power_missing && fault<PowerOfNothing> == Fault::power);
 static_assert(fault<Hidden> == Fault::begin && fault<FloatNodes> == Fault::begin);
 static_assert(fault<OtherStep> == Fault::constrain);
+using Remembers = decltype([last = 0.0](double t) mutable { return last = t; });
+using Timeless = decltype([] { return 1.0; });
+using Silent = decltype([](double) {});
+static_assert(fault<Pressure<Curve>> == Fault::none && fault<NodalForce<double (*)(double)>> == Fault::none);
+static_assert(fault<BodyForce<Remembers>> == Fault::none && fault<PrescribedVelocity<Remembers>> == Fault::none);
+static_assert(fault<Pressure<double>> == Fault::history && fault<BodyForce<Timeless>> == Fault::history);
+static_assert(fault<NodalForce<Silent>> == Fault::history && fault<PrescribedDisplacement<double>> == Fault::history);
 
 // A method knows its policies in any order, and each kind once.
 using detail::MethodFault;
@@ -160,6 +167,45 @@ TEST_CASE("item: a field takes tensors, whose components are the fields of the c
   const auto xx = plates.part<0>().field(0, [](const auto& s) { return s.stress.xx; });
   for (std::size_t e = 0; e < xx.size(); ++e) CHECK(bottom[e].xx == xx[e]);
   CHECK(plates.part<0>().field(1, PlasticStrain{}) == std::vector<double>(4, 0.0));
+}
+
+TEST_CASE("item: the stress of a point is a tensor in each number of a run") {
+  const Mesh mesh = box({.size = {1, 1, 2}, .cells = {2, 3, 4}});
+  const Mesh sheet = rectangle({.size = {4, 4}, .cells = {2, 2}});
+  const Homogeneous section{PlaneStress{steel}, 0.1};
+  const auto check_in = [&](auto number) {
+    Explicit run{Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}, InitialVelocity{{3, 0, -20}},
+                       RigidWall{{0, 0, 0}, {0, 0, 1}}},
+                 number};
+    run.until(2e-4);
+    const std::vector<SymmetricTensor<double>> stress = run.template part<0>().field(StressTensor{});
+    const auto zz = run.template part<0>().field([](const auto& s) { return s.stress.zz; });
+    for (std::size_t e = 0; e < zz.size(); ++e) CHECK(stress[e].zz == zz[e]);
+    CHECK(*std::min_element(zz.begin(), zz.end()) < -1e7);
+    // a tensor of doubles is the same in all lanes
+    for (const auto& unit : run.template part<0>().field([](const auto&) { return SymmetricTensor<double>{.xy = 2}; }))
+      CHECK((unit.xx == 0 && unit.xy == 2));
+
+    Explicit plates{Scene{sheet.nodes, Part{Plate4{}, section, sheet.quadrilaterals}, InitialVelocity{{0, 0, -1}},
+                          Clamped{nodes_where(sheet.nodes, on_plane(Axis::x, 0))}},
+                    number};
+    plates.until(1e-3);
+    const auto bottom = plates.template part<0>().field(0, StressTensor{});
+    const auto xx = plates.template part<0>().field(0, [](const auto& s) { return s.stress.xx; });
+    for (std::size_t e = 0; e < xx.size(); ++e) CHECK((bottom[e].xx == xx[e] && bottom[e].zz == 0));
+
+    Explicit water{Scene{mesh.nodes, Part{Hex8{}, Fluid{CubicEos{.density = 1000, .C1 = 2e9}}, mesh.hexahedra},
+                         InitialVelocity{{0, 0, -20}}, RigidWall{{0, 0, 0}, {0, 0, 1}}},
+                   number};
+    water.until(2e-4);
+    const auto spherical = water.template part<0>().field(StressTensor{});
+    const auto p = water.template part<0>().field([](const auto& s) { return s.pressure; });
+    for (std::size_t e = 0; e < p.size(); ++e) CHECK((spherical[e].yy == -p[e] && spherical[e].yz == 0));
+  };
+  check_in(in<double>);
+  check_in(in<Pack<double>>);
+  check_in(in<Pack<float>>);
+  check_in(in<Pack<float>, double>);
 }
 
 TEST_CASE("item: the balance is that of loads whose power is told, and items that do nothing change no bit") {

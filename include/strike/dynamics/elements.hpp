@@ -22,18 +22,22 @@ namespace strike::detail {
 /// The type of a value per element: a number in lanes becomes a double, a tensor or vector of such one of doubles.
 template <class Value>
 struct ElementValue {
+  using Number = Value;
   using type = double;
 };
 template <class T>
 struct ElementValue<SymmetricTensor<T>> {
+  using Number = T;
   using type = SymmetricTensor<double>;
 };
 template <class T>
 struct ElementValue<PlaneTensor<T>> {
+  using Number = T;
   using type = PlaneTensor<double>;
 };
 template <class T, int rows, int columns, int options>
 struct ElementValue<Eigen::Matrix<T, rows, columns, options>> {
+  using Number = T;
   using type = Eigen::Matrix<double, rows, columns>;
 };
 
@@ -48,11 +52,11 @@ struct PointStateOf<M, T> {
   using type = typename M::template PointState<T>;
 };
 
-/// The type of f(state of a point) in lanes of T: T itself where that is a number.
+/// The type of f(state of a point) in lanes of T: a built-in number, the same in all lanes, as a double.
 template <class F, class M, class T>
 struct PointValueOf {
   using Value = std::remove_cvref_t<std::invoke_result_t<const F&, const typename PointStateOf<M, T>::type&>>;
-  using type = std::conditional_t<std::is_arithmetic_v<Value>, T, Value>;
+  using type = std::conditional_t<std::is_arithmetic_v<Value>, double, Value>;
 };
 template <class F, class M, class T>
 using PointValue = typename PointValueOf<F, M, T>::type;
@@ -117,15 +121,16 @@ struct Elements {
   template <class F, class Visit>
   auto mean_over_points(const F& f, const Visit& visit) const {
     using Sum = PointValue<F, M, T>;
+    using Number = typename ElementValue<Sum>::Number;  // T, or of a value that is the same in all lanes double
     std::vector<typename ElementValue<Sum>::type> values(size);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       Sum sum;
-      const auto in_sum = numbers_of<T>(sum);
-      std::fill(in_sum.begin(), in_sum.end(), T(0.0));
+      const auto in_sum = numbers_of<Number>(sum);
+      std::fill(in_sum.begin(), in_sum.end(), Number(0.0));
       double points = 0;
       visit(blocks[b].state, [&](const auto& point) {
         const Sum value = Sum(f(point));
-        const auto in_value = numbers_of<T>(value);
+        const auto in_value = numbers_of<Number>(value);
         for (std::size_t k = 0; k < in_sum.size(); ++k) in_sum[k] += in_value[k];
         points += 1;
       });

@@ -93,6 +93,14 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     }
   }
 
+  /// Fallback for observers without an end: its static_assert is the one message.
+  template <class First, class... Observers>
+    requires(!std::convertible_to<First, double>)
+  void until(const First&, const Observers&...) {
+    static_assert(sizeof(First) == 0,
+                  "strike: until takes the end of the run before its observers, such as run.until(1e-3, observer).");
+  }
+
   double time() const { return clock_.time(); }
   /// The time until which the run goes, as `until` has been told last.
   double end() const { return end_; }

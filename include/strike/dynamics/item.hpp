@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -28,6 +29,7 @@ namespace strike {
 //                                            std::vector<std::size_t>; throws an Error if the item names others
 //  8. warning() -> std::string               a sentence that the user should read before the results; empty: none
 //  9. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
+// 10. LoadHistory                            the type of what it calls as history(time) for a number, if it does
 //
 // Laws. Work that enters or leaves the nodes is booked, by the ledger or by power. The result does not depend on how
 // nodes lie in memory: an item names them by their numbers. An item that changes no velocity and no force changes no
@@ -155,7 +157,14 @@ enum class Fault {
   resolve_contact,
   remove,
   check_parts,
-  warning
+  warning,
+  history
+};
+
+/// A history of a load: called with the time, returns a number.
+template <class F>
+concept History = requires(F& history, double time) {
+  { history(time) } -> std::convertible_to<double>;
 };
 
 template <class Item, class N>
@@ -180,6 +189,8 @@ constexpr Fault fault() {
   if constexpr (misses<Remove, Item, Part, Alive>) return Fault::remove;
   if constexpr (misses<CheckParts, const Item, const std::vector<std::size_t>>) return Fault::check_parts;
   if constexpr (misses<Warning, const Item>) return Fault::warning;
+  if constexpr (requires { typename Item::LoadHistory; })
+    if constexpr (!History<typename Item::LoadHistory>) return Fault::history;
   if constexpr (!(has<Begin, Item, N> || has<StableStep, Item, double> || has<ApplyLoads, Item, N, double> ||
                   has<Constrain, Item, N, const Step, Ledger> || has<ResolveContact, Item, N, const Step, Ledger> ||
                   has<Remove, Item, Part, Alive>))

@@ -15,7 +15,7 @@
 //  5. resume(run, observers) -> bool    called before the run begins: true if it has put the run and all observers
 //                                       where they once were, so that none is called before the first step
 //     keeps<Run>                        static constexpr bool, false if an item of the run has no serialize; or none
-//  6. Action                            the type of what it calls as f() or f(run), if it calls something
+//  6. Action, Condition                 the types of what it calls as f() or f(run), and of what it asks so for a bool
 //  7. serialize(archive)                its memory, for a Checkpoint; see strike/output/archive.hpp
 //
 // Laws. An observer changes nothing of the run; what it has written is whole when it returns.
@@ -67,7 +67,7 @@ template <class Observer>
 concept CalledAlone = requires(Observer& observer) { observer(); };
 
 /// The first fault of an observer, in the order of the requirements; `All` is the tuple of all observers.
-enum class Fault { none, not_callable, returns_bool, stops, last, save, resume, forgetful };
+enum class Fault { none, not_callable, returns_bool, condition, stops, last, save, resume, forgetful };
 
 /// The fault of what is called as f(run) or f().
 template <class Action, class Run>
@@ -81,12 +81,25 @@ constexpr Fault call_fault() {
     return Fault::not_callable;
 }
 
+/// The condition is asked as f(run) or f().
+template <class Condition, class Run>
+constexpr bool is_condition() {
+  if constexpr (CalledWithRun<Condition, Run>)
+    return std::convertible_to<std::invoke_result_t<Condition&, Run&>, bool>;
+  else
+    return requires(Condition& condition) {
+      { condition() } -> std::convertible_to<bool>;
+    };
+}
+
 template <class Observer, class Run, class All>
 constexpr Fault fault() {
   if constexpr (call_fault<Observer, Run>() != Fault::none) return call_fault<Observer, Run>();
   if constexpr (requires { typename Observer::Action; })
     if constexpr (call_fault<typename Observer::Action, const Run>() != Fault::none)
       return call_fault<typename Observer::Action, const Run>();
+  if constexpr (requires { typename Observer::Condition; })
+    if constexpr (!is_condition<typename Observer::Condition, const Run>()) return Fault::condition;
   if constexpr (nearly<Stops, Observer>) return Fault::stops;
   if constexpr (nearly<Last, Observer, Run>) return Fault::last;
   if constexpr (nearly<Save, Observer, Run, const All>) return Fault::save;
@@ -105,6 +118,10 @@ constexpr bool report() {
   static_assert(found != Fault::returns_bool,
                 "strike: an observer returns a bool, which a run does not read: end a run by StopWhen{condition}, or "
                 "return nothing.");
+  static_assert(
+      found != Fault::condition,
+      "strike: the condition of a StopWhen is called as f() or f(run) and returns a bool, such as [&] { return "
+      "run.energy().kinetic < 1e-3; }.");
   static_assert(found != Fault::stops, "strike: stops of an observer is called as stops() and returns a bool.");
   static_assert(found != Fault::last, "strike: last of an observer is called as last(run).");
   static_assert(found != Fault::save, "strike: save of an observer is called as save(run, observers).");

@@ -102,6 +102,9 @@ struct CheckedItem {
                 "std::vector<std::size_t> of the number of elements of each part.");
   static_assert(fault != item::Fault::warning,
                 "strike: warning of an item is a constant function, called as warning(), that returns a sentence.");
+  static_assert(fault != item::Fault::history,
+                "strike: the history of a load is called with the time and returns a number: write [](double t) { "
+                "return ...; }, a Curve or Constant{value}.");
 };
 /// The scene can run with the method. Nothing is reported here, where the compiler only chooses.
 template <class Method, class... Items>

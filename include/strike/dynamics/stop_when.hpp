@@ -7,10 +7,12 @@ namespace strike {
 
 /// An observer that ends a run early: `run.until(1.0, StopWhen{[&] { return run.energy().kinetic < 1e-3; }})`. The
 /// condition is asked after each step, as `condition()` or `condition(run)`.
-template <class Condition>
+template <class F>
 class StopWhen {
  public:
-  explicit StopWhen(Condition condition) : condition_(std::move(condition)) {}
+  using Condition = F;
+
+  explicit StopWhen(F condition) : condition_(std::move(condition)) {}
 
   template <class Run>
   void operator()(const Run& run) {
@@ -28,7 +30,7 @@ class StopWhen {
   }
 
  private:
-  Condition condition_;
+  F condition_;
   bool met_ = false;
 };
 

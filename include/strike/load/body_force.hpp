@@ -11,6 +11,8 @@ namespace strike {
 template <class History = Constant>
 class BodyForce {
  public:
+  using LoadHistory = History;
+
   explicit BodyForce(Eigen::Vector3d acceleration, History history = {})
       : acceleration_(std::move(acceleration)), history_(std::move(history)) {}
 

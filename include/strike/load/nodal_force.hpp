@@ -11,6 +11,8 @@ namespace strike {
 template <class History = Constant>
 class NodalForce {
  public:
+  using LoadHistory = History;
+
   NodalForce(Eigen::Vector3d force, std::vector<Index> nodes, History history = {})
       : force_(std::move(force)), nodes_(std::move(nodes)), history_(std::move(history)) {}
 

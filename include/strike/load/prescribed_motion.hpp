@@ -16,14 +16,14 @@ namespace detail {
 /// The velocity of a step from a history of velocity, v(t + dt/2).
 struct FromVelocity {
   template <class History>
-  static double velocity(const History& v, const Step& step) {
+  static double velocity(History& v, const Step& step) {
     return v(step.time + 0.5 * step.dt);
   }
 };
 /// The velocity of a step from a history of displacement, (u(t + dt) - u(t))/dt.
 struct FromDisplacement {
   template <class History>
-  static double velocity(const History& u, const Step& step) {
+  static double velocity(History& u, const Step& step) {
     return (u(step.time + step.dt) - u(step.time)) / step.dt;
   }
 };
@@ -33,6 +33,8 @@ struct FromDisplacement {
 template <class History, class Kind>
 class PrescribedMotion {
  public:
+  using LoadHistory = History;
+
   PrescribedMotion(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
       : direction_(detail::direction(direction)), nodes_(std::move(nodes)), history_(std::move(history)) {}
   PrescribedMotion(Axis axis, std::vector<Index> nodes, History history)
@@ -44,7 +46,7 @@ class PrescribedMotion {
   }
 
   template <class N, class Ledger>
-  void constrain(N& nodes, const Step& step, Ledger& ledger) const {
+  void constrain(N& nodes, const Step& step, Ledger& ledger) {
     const double velocity = Kind::velocity(history_, step);
     for (const Index i : nodes_) {
       const typename N::Vector v = nodes.v(i);

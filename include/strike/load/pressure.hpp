@@ -13,6 +13,8 @@ namespace strike {
 template <class History>
 class Pressure {
  public:
+  using LoadHistory = History;
+
   Pressure(std::vector<Face> faces, History history) : faces_(std::move(faces)), history_(std::move(history)) {}
 
   template <class N>

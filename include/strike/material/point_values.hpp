@@ -1,4 +1,7 @@
 #pragma once
+#include <type_traits>
+
+#include <strike/scalar/scalar.hpp>
 #include <strike/tensor/plane.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -40,22 +43,27 @@ struct EquivalentStress {
   }
 };
 
-/// The stress as a tensor in lanes of T: of a point in a plate by its components in the frame of the plate, of a bar
-/// along its axis as xx, of a fluid its pressure; 0 of a point without any.
-template <class T>
+/// The stress as a tensor: of a point in a plate by its components in the frame of the plate, of a bar along its axis
+/// as xx, of a fluid its pressure; 0 of a point without any.
 struct StressTensor {
   template <class State>
-  SymmetricTensor<T> operator()(const State& point) const {
+  auto operator()(const State& point) const {
     if constexpr (requires { point.stress.zz; })
       return point.stress;
     else if constexpr (requires { point.stress.xx; })
-      return {point.stress.xx, point.stress.yy, T(0.0), point.stress.xy, T(0.0), T(0.0)};
-    else if constexpr (requires { T(point.stress); })
-      return {T(point.stress), T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)};
+      return of_plane(point.stress.xx, point.stress.yy, point.stress.xy);
+    else if constexpr (requires { requires Scalar<std::remove_cvref_t<decltype(point.stress)>>; })
+      return of_plane(point.stress);
     else if constexpr (requires { point.pressure; })
-      return SymmetricTensor<T>::isotropic(-point.pressure);
+      return SymmetricTensor<std::remove_cvref_t<decltype(point.pressure)>>::isotropic(-point.pressure);
     else
-      return {};
+      return SymmetricTensor<double>{};
+  }
+
+ private:
+  template <class T>
+  static SymmetricTensor<T> of_plane(const T& xx, const T& yy = T(0.0), const T& xy = T(0.0)) {
+    return {xx, yy, T(0.0), xy, T(0.0), T(0.0)};
   }
 };
 

@@ -201,7 +201,7 @@ void write_vtu(const std::string& path, const Run& run) {
   run.each_part([&]<class Part>(const Part& part) {
     const std::vector<bool> alive = part.alive();
     const auto all = part.cells(run.nodes());
-    const std::vector<SymmetricTensor<double>> stress = part.field(StressTensor<typename Part::Number>{});
+    const std::vector<SymmetricTensor<double>> stress = part.field(StressTensor{});
     const std::vector<double> plastic_strain = part.field(PlasticStrain{});
     constexpr bool flat = turns_nodes<typename Part::Element>() ||
                           std::same_as<typename Part::Element::Kinematics, PlaneStressKinematics>;

@@ -1,0 +1,12 @@
+// expect: until takes the end of the run before its observers
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+int main() {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+  const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
+                    VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
+  Explicit run{Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}}};
+  run.until([&] { std::printf("%g\n", run.time()); });
+}
