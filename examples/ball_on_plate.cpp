@@ -11,7 +11,7 @@ int main() try {  // millimetres, milliseconds, kilograms; so kN, GPa and J
   const Mesh plate = box({.lower = {-16, -16, -3}, .size = {32, 32, 3}, .cells = {32, 32, 3}});
   Mesh both = plate;
   append(both, translated(sphere({.radius = 5}), {0, 0, 5.1}));  // its cells follow those of the plate
-  const Cells<8> target = plate.hexahedra, ball(both.hexahedra.begin() + target.size(), both.hexahedra.end());
+  const Cells<8> target = plate.hexahedra, ball(both.hexahedra.begin() + std::ssize(target), both.hexahedra.end());
 
   const Solid aluminium{LinearEos{.density = 2.7e-6, .bulk_modulus = 70},
                         VonMises{.shear_modulus = 27, .yield_stress = 0.35, .hardening_modulus = 0.5},
