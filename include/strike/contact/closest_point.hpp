@@ -53,15 +53,31 @@ inline ClosestPoint closest_on_triangle(const Corners& X, const Eigen::Vector3d&
   return point;
 }
 
-/// The closest point of a bilinear quadrilateral x(s, t) = m0 + s m1 + t m2 + s t m3, |s|, |t| <= 1: r = x(s, t) - x is
-/// orthogonal to both tangents, by Newton's method. Where a strong warp makes its matrix indefinite, the step leaves
-/// the warp out (Gauss-Newton), which always descends.
-inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vector3d& x) {
-  const Eigen::Vector3d m0 = 0.25 * (X[0] + X[1] + X[2] + X[3]), m1 = 0.25 * (X[1] + X[2] - X[0] - X[3]),
-                        m2 = 0.25 * (X[2] + X[3] - X[0] - X[1]), m3 = 0.25 * (X[0] - X[1] + X[2] - X[3]);
-  ClosestPoint point;
-  bool is_found = true;
-  const auto descend_from = [&](double s, double t) {
+/// A bilinear quadrilateral x(s, t) = m0 + s m1 + t m2 + s t m3, |s|, |t| <= 1.
+struct Quadrilateral {
+  Eigen::Vector3d m0, m1, m2, m3;
+
+  explicit Quadrilateral(const Corners& X)
+      : m0(0.25 * (X[0] + X[1] + X[2] + X[3])),
+        m1(0.25 * (X[1] + X[2] - X[0] - X[3])),
+        m2(0.25 * (X[2] + X[3] - X[0] - X[1])),
+        m3(0.25 * (X[0] - X[1] + X[2] - X[3])) {}
+
+  /// A point at which the way r = x(s, t) - x to a node is orthogonal to both tangents.
+  struct Stationary {
+    double s, t;
+    Eigen::Vector3d r;
+    bool found;
+
+    bool is_inside() const { return std::abs(s) <= 1 && std::abs(t) <= 1; }
+    std::array<double, 4> N() const {
+      const double p = 0.25 * (1 + t), m = 0.25 * (1 - t);
+      return {(1 - s) * m, (1 + s) * m, (1 + s) * p, (1 - s) * p};
+    }
+  };
+  /// By Newton's method. Where a strong warp makes its matrix indefinite, the step leaves the warp out (Gauss-Newton),
+  /// which always descends.
+  Stationary descend(const Eigen::Vector3d& x, double s, double t) const {
     Eigen::Vector3d r = m0 + s * m1 + t * m2 + s * t * m3 - x;
     bool found = false;
     for (int iteration = 0; iteration < 20 && !found; ++iteration) {
@@ -77,21 +93,68 @@ inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vect
       found = std::abs(ds) + std::abs(dt) < 1e-7;  // Newton squares it
       if (iteration == 0 && m3.squaredNorm() < 1e-20 * (a + b)) found = true;
     }
-    const bool is_inside = std::abs(s) <= 1 && std::abs(t) <= 1;
-    if (is_inside && found && r.squaredNorm() < point.distance2) {
-      const double p = 0.25 * (1 + t), m = 0.25 * (1 - t);
-      point = {.N = {(1 - s) * m, (1 + s) * m, (1 + s) * p, (1 - s) * p}, .away = -r, .distance2 = r.squaredNorm()};
-    }
-    is_found = is_found && is_inside && found;
+    return {s, t, r, found};
+  }
+};
+
+/// The closest point of a bilinear quadrilateral: a stationary one or that of its edges.
+inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vector3d& x) {
+  const Quadrilateral face(X);
+  ClosestPoint point;
+  bool is_found = true;
+  const auto descend_from = [&](double s, double t) {
+    const auto at = face.descend(x, s, t);
+    const bool holds = at.found && at.is_inside();
+    if (holds && at.r.squaredNorm() < point.distance2)
+      point = {.N = at.N(), .away = -at.r, .distance2 = at.r.squaredNorm()};
+    is_found = is_found && holds;
   };
   descend_from(0, 0);
-  const bool is_flat = m3.squaredNorm() < 1e-2 * std::min(m1.squaredNorm(), m2.squaredNorm());
+  const bool is_flat = face.m3.squaredNorm() < 1e-2 * std::min(face.m1.squaredNorm(), face.m2.squaredNorm());
   if (!is_flat)  // with a strong warp the distance has several local minima
     for (const double s : {-0.7, 0.7})
       for (const double t : {-0.7, 0.7}) descend_from(s, t);
   if (!is_found || !is_flat)
     for (unsigned i = 0; i < 4; ++i) approach_edge(point, X, x, i, (i + 1) % 4);
   return point;
+}
+
+/// The foot of a node's perpendicular on a face that is continued beyond its edges.
+struct Projection {
+  std::array<double, 4> N{};  ///< shape functions of the corners, of sum 1; negative beyond an edge
+  Eigen::Vector3d away = Eigen::Vector3d::Zero();    ///< from the foot to the node [length]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, of the face at the foot
+  /// How far it is beyond the edges, in widths of the face; negative within them, infinite from half a width on.
+  double beyond = std::numeric_limits<double>::infinity();
+  unsigned edge = 0;  ///< that it is beyond most, from corner `edge` to the next
+};
+
+inline Projection project(const Corners& X, const Eigen::Vector3d& x, bool is_triangle) {
+  Projection foot;
+  if (is_triangle) {
+    const Eigen::Vector3d b = X[1] - X[0], c = X[2] - X[0], r = x - X[0], normal = cross<double>(b, c);
+    const double area2 = normal.squaredNorm();
+    if (!(area2 > 0)) return foot;
+    const double s = cross<double>(r, c).dot(normal) / area2, t = cross<double>(b, r).dot(normal) / area2;
+    foot.N = {1 - s - t, s, t, 0};
+    foot.away = (r.dot(normal) / area2) * normal;
+    foot.normal = (1 / std::sqrt(area2)) * normal;
+    const auto least = std::min_element(foot.N.begin(), foot.N.begin() + 3);
+    foot.beyond = -*least, foot.edge = static_cast<unsigned>(least - foot.N.begin() + 1) % 3;
+    return foot;
+  }
+  const Quadrilateral face(X);
+  const auto at = face.descend(x, 0, 0);
+  const double most = std::max(std::abs(at.s), std::abs(at.t));
+  if (!at.found || !(most < 2)) return foot;  // where steps end
+  const Eigen::Vector3d normal = cross<double>(face.m1 + at.t * face.m3, face.m2 + at.s * face.m3);
+  foot.N = at.N(), foot.away = -at.r, foot.normal = direction(normal);
+  foot.beyond = 0.5 * (most - 1);
+  if (std::abs(at.s) > std::abs(at.t))
+    foot.edge = at.s > 0 ? 1 : 3;
+  else
+    foot.edge = at.t > 0 ? 2 : 0;
+  return foot;
 }
 
 /// The unit normal of a face at the shape functions N.

@@ -86,6 +86,20 @@ struct Remove {
     meeting.remove(part, alive, nodes);
   }
 };
+struct ClosingStep {
+  struct Decoy {
+    int closing_step;
+  };
+  template <class Model>
+  using Member = decltype(&Model::closing_step);
+  static double call(auto& meeting, const ContactNodes& nodes, double moved, double dt)
+    requires requires {
+      { meeting.closing_step(nodes, moved, dt) } -> std::convertible_to<double>;
+    }
+  {
+    return meeting.closing_step(nodes, moved, dt);
+  }
+};
 struct CheckParts {
   struct Decoy {
     int check_parts;
@@ -159,6 +173,9 @@ concept RigidBody = std::copyable<B> && requires(const B body, const Eigen::Vect
 /// 6. `remove(part, alive, nodes)`, optional: cells of a part have gone.
 /// 7. `check_parts(elements) const`, optional: throws an Error if it names a part, or elements of a part, that are not
 ///    in the scene; elements[p] is the number of elements of part p.
+///
+/// 8. `closing_step(nodes, moved, dt)`, optional: a step of at most dt in which nothing that comes to touch closes
+///    by more than its gap and 7 % of a cell, when the nodes have moved for the time `moved` at their velocities.
 ///
 /// Laws that no compiler checks: `pair.stored` stays the same number as long as a touch lasts, and begins at 0.
 ///

@@ -76,12 +76,20 @@ class Contact {
     impulse_ += sum;
   }
 
-  /// The stable step together with elements whose own stable step is `dt`.
-  double stable_step(double dt) const {
-    double kappa = kappa_;
-    if constexpr (detail::answers<detail::Kappa, const Law, const double>)
-      kappa = std::max(kappa, detail::Kappa::call(law_, meeting_->largest_inverse_mass()));
-    return stable_step_with_contact(dt, kappa);
+  /// The stable step together with elements whose own stable step is `dt`, and for what is about to touch.
+  template <class N>
+  double stable_step(double dt, const N& nodes) {
+    if constexpr (detail::is_plain<N>) {
+      double kappa = kappa_;
+      if constexpr (detail::answers<detail::Kappa, const Law, const double>)
+        kappa = std::max(kappa, detail::Kappa::call(law_, meeting_->largest_inverse_mass()));
+      dt = stable_step_with_contact(dt, kappa);
+      if constexpr (closes) {
+        if (step_.dt == 0) all_.gather(nodes);  // before the first step
+        dt = meeting_->closing_step(all_, step_.dt, dt);
+      }
+    }
+    return dt;
   }
 
   /// Error: a surface of a part, or of cells, that the scene does not have.
@@ -128,6 +136,9 @@ class Contact {
   }
 
  private:
+  static constexpr bool closes =
+      detail::answers<detail::ClosingStep, detail::MeetingOf<P>, const ContactNodes, double, double>;
+
   /// Friction against the velocity along the surface that the normal impulses have left.
   void rub(const ContactPair& pair) {
     using namespace detail;
@@ -193,7 +204,7 @@ class Contact<P, detail::FlawedLaw<flaw>, F> {
  public:
   explicit Contact(const P&, const auto&...) { detail::refuse_contact<flaw>(); }
   void begin(const auto&) {}
-  double stable_step(double dt) const { return dt; }
+  double stable_step(double dt, const auto&) const { return dt; }
   std::string warning() const { return {}; }
   Eigen::Vector3d force() const { return {}; }
   Eigen::Vector3d impulse() const { return {}; }

@@ -21,8 +21,9 @@ namespace strike {
 /// which impulses change along the directions that no condition holds.
 class ContactNodes {
  public:
-  std::vector<Eigen::Vector3d> x, v;    ///< [length], [velocity]
-  std::vector<Eigen::Vector3d> kicked;  ///< change of v by this step's forces, of nodes in pairs
+  std::vector<Eigen::Vector3d> x, v;      ///< [length], [velocity]
+  std::vector<Eigen::Vector3d> x_before;  ///< positions at the time n - 1 [length]
+  std::vector<Eigen::Vector3d> kicked;    ///< change of v by this step's forces, of nodes in pairs
   std::vector<Eigen::Vector3d> normal_impulse, friction_impulse;  ///< of this step [force time]
 
   /// Nodes by their numbers, in ascending order, and points that never move. Error: no such node.
@@ -35,16 +36,18 @@ class ContactNodes {
     for (const Index i : number_) place_.push_back(nodes.place(i));
     x.resize(number_.size());
     x.insert(x.end(), points.begin(), points.end());
+    x_before = x;
     v.assign(x.size(), Eigen::Vector3d::Zero());
     kicked = normal_impulse = friction_impulse = v;
     is_touched_.assign(x.size(), 0), held_.assign(x.size(), -1), inverse_mass_.assign(x.size(), 0.0);
     for (std::size_t i = 0; i < number_.size(); ++i) inverse_mass_[i] = 1 / nodes.mass(number_[i]);
-    gather(nodes);
+    gather(nodes), x_before = x;
   }
 
   /// Copies positions and velocities from the scene and clears the impulses.
   template <class N>
   void gather(const N& nodes) {
+    std::copy(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(place_.size()), x_before.begin());
     for (std::size_t i = 0; i < place_.size(); ++i) {
       x[i] = N::vector_of(nodes.position()[place_[i]]);
       v[i] = N::vector_of(nodes.velocity()[place_[i]]);
@@ -61,8 +64,7 @@ class ContactNodes {
       if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
     };
     for (auto& pair : pairs) {
-      gather_force(pair.node);
-      for (unsigned k = 0; k < pair.count; ++k) gather_force(pair.corners[k]);
+      for (unsigned k = 0; k < pair.count; ++k) gather_force(pair.nodes[k]);
       pair.inverse_effective_mass = pair.inverse_effective_mass_along(*this, pair.normal);
     }
   }
@@ -128,7 +130,7 @@ class ContactNodes {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(normal_impulse, friction_impulse, touched_, is_touched_);
+    archive(x, normal_impulse, friction_impulse, touched_, is_touched_);
   }
 
  private:
@@ -165,61 +167,61 @@ constexpr void refuse_dual_numbers() {
 
 }  // namespace detail
 
-/// A node s that touches: x_s - sum of N_I x_I = (gap - initial depth) n. Impulses J n on the node and -N_I J n on the
-/// corners, along the line through both points, keep momentum and its moment.
+/// Two points that touch, each the mean of nodes: sum of w_I x_I = gap n, where the weights w of one side, that to
+/// which n points, have the sum 1 and those of the other -1 (0 if that is a rigid body without nodes). Impulses w_I J n
+/// along the line through both points keep momentum and its moment.
 struct ContactPair {
-  Index node = 0;
-  std::array<Index, 4> corners{};
-  std::array<double, 4> N{};                         ///< shape functions of the corners
-  unsigned count = 0;                                ///< number of corners; 0 of a rigid body without corners
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit vector to the side of the node
-  double gap = 0;                                    ///< negative where the node has entered [length]
+  std::array<Index, 5> nodes{};  ///< a node first and the corners of a face after it, or the ends of two edges
+  std::array<double, 5> weights{};
+  unsigned count = 0;                                ///< of nodes
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit vector
+  double gap = 0;                                    ///< less what is tolerated; negative inside [length]
   double stiffness = 0;                              ///< of the spring of a penalty law [force/length]
   double* stored = nullptr;           ///< energy that the law has taken during this touch and not given back [energy]
   double inverse_effective_mass = 0;  ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
   double impulse = 0;                 ///< normal impulse of this step [force time]
 
+  ContactPair() = default;
+  ContactPair(const Eigen::Vector3d& normal_of_pair, double gap_of_pair) : normal(normal_of_pair), gap(gap_of_pair) {}
+  void add(Index node, double weight) { nodes[count] = node, weights[count] = weight, ++count; }
+
   /// All members but `stored`, which the next step sets.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(node, corners, N, count, normal, gap, stiffness, inverse_effective_mass, impulse);
+    archive(nodes, weights, count, normal, gap, stiffness, inverse_effective_mass, impulse);
   }
 
-  /// Velocity of the node relative to the point that it touches.
-  Eigen::Vector3d velocity(const ContactNodes& nodes) const {
-    using namespace detail;
-    Eigen::Vector3d relative = nodes.v[node];
-    for (unsigned i = 0; i < count; ++i) relative -= N[i] * nodes.v[corners[i]];
-    return relative;
-  }
+  /// Velocity of the points relative to each other.
+  Eigen::Vector3d velocity(const ContactNodes& all) const { return sum(all.v); }
   /// Change of that velocity by the forces of this step.
-  Eigen::Vector3d kicked(const ContactNodes& nodes) const {
-    using namespace detail;
-    Eigen::Vector3d relative = nodes.kicked[node];
-    for (unsigned i = 0; i < count; ++i) relative -= N[i] * nodes.kicked[corners[i]];
-    return relative;
-  }
-  /// 1/m* = 1/m_s + sum of N_I^2/m_I along a unit vector [1/mass]; 0 if conditions hold all its nodes.
-  double inverse_effective_mass_along(const ContactNodes& nodes, const Eigen::Vector3d& a) const {
-    double w = nodes.inverse_mass_along(node, a), free = nodes.inverse_mass(node);
+  Eigen::Vector3d kicked(const ContactNodes& all) const { return sum(all.kicked); }
+  /// 1/m* = sum of w_I^2/m_I along a unit vector [1/mass]; 0 if conditions hold all its nodes.
+  double inverse_effective_mass_along(const ContactNodes& all, const Eigen::Vector3d& a) const {
+    double along = 0, free = 0;
     for (unsigned i = 0; i < count; ++i) {
-      const double share = N[i] * N[i];
-      w += share * nodes.inverse_mass_along(corners[i], a), free += share * nodes.inverse_mass(corners[i]);
+      const double share = weights[i] * weights[i];
+      along += share * all.inverse_mass_along(nodes[i], a), free += share * all.inverse_mass(nodes[i]);
     }
-    return w > 1e-6 * free ? w : 0;
+    return along > 1e-6 * free ? along : 0;
   }
   /// Gives the pair a normal impulse J [force time].
-  void push(ContactNodes& nodes, double J) {
+  void push(ContactNodes& all, double J) {
     using namespace detail;
     impulse += J;
-    nodes.push(node, J * normal);
-    for (unsigned i = 0; i < count; ++i) nodes.push(corners[i], (-N[i] * J) * normal);
+    for (unsigned i = 0; i < count; ++i) all.push(nodes[i], (weights[i] * J) * normal);
   }
   /// Gives the pair an impulse of friction.
-  void drag(ContactNodes& nodes, const Eigen::Vector3d& J) const {
+  void drag(ContactNodes& all, const Eigen::Vector3d& J) const {
     using namespace detail;
-    nodes.drag(node, J);
-    for (unsigned i = 0; i < count; ++i) nodes.drag(corners[i], -N[i] * J);
+    for (unsigned i = 0; i < count; ++i) all.drag(nodes[i], weights[i] * J);
+  }
+
+ private:
+  Eigen::Vector3d sum(const std::vector<Eigen::Vector3d>& of) const {
+    using namespace detail;
+    Eigen::Vector3d total{0, 0, 0};
+    for (unsigned i = 0; i < count; ++i) total += weights[i] * of[nodes[i]];
+    return total;
   }
 };
 

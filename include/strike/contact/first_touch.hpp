@@ -1,13 +1,15 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <strike/contact/closest_point.hpp>
 #include <strike/contact/contact_nodes.hpp>
-#include <strike/contact/fly_over.hpp>
+#include <strike/contact/crossing.hpp>
+#include <strike/contact/follow_touch.hpp>
 #include <strike/contact/neighbourhood.hpp>
 #include <strike/contact/target.hpp>
 #include <strike/contact/touch.hpp>
@@ -17,117 +19,178 @@
 
 namespace strike::detail {
 
-/// Positions at the end of the step with the present velocities, computed at the first demand.
-class PositionsAhead {
- public:
-  void clear() { x_.clear(); }
-  const std::vector<Eigen::Vector3d>& of(const ContactNodes& all, double dt) {
-    if (x_.empty())
-      for (std::size_t k = 0; k < all.size(); ++k) x_.push_back(all.x[k] + dt * all.v[k]);
-    return x_;
-  }
-
- private:
-  std::vector<Eigen::Vector3d> x_;
-};
-
-/// Candidates for the first touch of node i: the nearest of the faces that it may meet in this step from outside, or,
-/// if it flies over faces, the one that it meets first. `neighbourhood` is that of self-contact of plates.
+/// The faces that a node meets from outside, in the step to come with its present velocity or in the last one as it
+/// was, for impulses of other pairs may have carried it in. The first counts; of those that it meets at once, on their
+/// common edge, each by its rate of approach: a face along which it flies does not, a ridge gives its mean.
+/// `neighbourhood` is that of self-contact of plates, `touches` are those that the node has already, in
+/// `pairs`; a node that comes round an edge, where another touch has ended, may be a little inside.
 template <bool self>
 class FirstTouch {
  public:
-  FirstTouch(Index i, const TouchedFaces& faces, const ContactNodes& all, double dt, double reach,
-             const Neighbourhood& neighbourhood)
-      : i_(i), faces_(faces), all_(all), dt_(dt), reach_(reach), neighbourhood_(neighbourhood) {}
+  FirstTouch(Index i, const TouchedFaces& faces, const ContactNodes& all, double dt, const Neighbourhood& neighbourhood,
+             std::span<const Touch> touches, std::span<const ContactPair> pairs, bool comes_round, double farthest)
+      : i_(i),
+        faces_(faces),
+        all_(all),
+        dt_(dt),
+        way_(dt * all.v[i]),
+        reach_(faces.reach()),
+        farthest_(farthest + reach_.tolerance),
+        neighbourhood_(neighbourhood),
+        touches_(touches) {
+    if (comes_round && faces.depth == 0) reach_.slack = faces.slack();
+    // Touches let the node no deeper into their faces.
+    for (const ContactPair& pair : pairs)
+      way_ += std::max(0.0, -std::max(0.0, pair.gap) - dt * pair.normal.dot(pair.velocity(all))) * pair.normal;
+  }
 
   void consider(Index f) {
-    const Target& target = faces_.target;
-    if (self && target.has(f, i_)) return;
-    const Corners X = target.corners(f, all_.x);
-    const bool flies = flies_over(f, faces_, all_, i_, dt_, reach_);
-    if (!flies && (first_ <= 1 || is_farther(X))) return;
-    if (is_off_plane(X)) return;
-    if (self && faces_.two_sided && neighbourhood_.has(i_, f)) return;
-    const ClosestPoint point = target.closest(f, X, all_.x[i_]);
-    if (!flies && point.distance2 >= best_.point.distance2) return;
-    const Foot foot = target.foot(f, X, point, all_.x);
-    if (flies) {
-      if (const double when = time_of_meeting(foot, faces_, all_, i_, dt_); when < first_) first_ = when, best_ = foot;
-    } else if (faces_.is_outside(foot)) {
-      best_ = foot;
+    if (self && faces_.target.has(f, i_)) return;
+    const Corners X = faces_.target.corners(f, all_.x);
+    const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
+    const double area2 = area.squaredNorm(), warp2 = warp_of(f, X).squaredNorm();
+    const double height = (all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3])).dot(area);
+    const auto is_within = [&](double reach) { return height * height <= 2 * (reach * reach + warp2) * area2; };
+    // Cheap, and most candidates end here: out of reach, or a face that goes on from one that the node touches.
+    if (!is_within(faces_.depth + reach_.slack + farthest_)) return;
+    for (const Touch& touch : touches_) {
+      const double cosine = touch.normal.dot(area);
+      if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.are_connected(f, touch.face))) return;
+    }
+    const bool is_at = reach_.two_sided || is_within(faces_.depth + reach_.slack + reach_.tolerance);
+    const bool is_outside = reach_.two_sided || height > 0;
+    if (is_outside || is_at) {
+      if (const Crossing next = in_step(f, X); next.happens()) return meet(f, next, next.when);
+    }
+    if (!is_outside || is_at) {
+      if (const Crossing last = in_last_step(f, X); last.happens()) meet(f, last, last.when - 1);
     }
   }
-  const Foot& best() const { return best_; }
-  bool found() const { return best_.point.distance2 <= 1e30; }
 
-  /// Appends the pair with the best of the faces, if the node is inside or will be at the end of the step.
-  void begin(Touch& touch, PositionsAhead& ahead, std::vector<ContactPair>& pairs) {
-    touch.face = best_.face;
-    if (!found()) return;
-    const double side = faces_.side_of(best_);
-    if (first_ <= 1 && best_.point.where != ClosestPoint::inside) {  // along the normal of the face, not from its edge
-      const Corners X = faces_.target.corners(best_.face, all_.x);
-      best_.normal = faces_.face_normal(best_, X);
-      best_.height = best_.normal.dot(best_.point.away);
-    }
-    const double gap = side * best_.height - faces_.depth;
-    const ContactPair pair = faces_.pair(i_, best_, side, gap, touch);
-    if (gap > 0) {
-      if (gap + dt_ * pair.normal.dot(pair.velocity(all_)) >= 0) return;
-      if (first_ > 1 && best_.point.where != ClosestPoint::inside && !will_be_inside(ahead.of(all_, dt_), side)) return;
-    }
-    touch = {.side = side, .initial_depth = std::max(-gap, 0.0), .face = best_.face};
-    pairs.push_back(pair);
-    pairs.back().gap = std::max(gap, 0.0);
+  /// Where the node touches first, as it stands now; nothing if it meets no face.
+  std::optional<Place> place() const {
+    if (first_.face == Target::none) return std::nullopt;
+    return now(first_.face, first_.crossing, direction(sum_));
   }
 
  private:
-  /// True if the box around a face is farther than the best face.
-  bool is_farther(const Corners& X) const {
-    const Eigen::Vector3d& x = all_.x[i_];
-    double distance2 = 0;
-    for (int c = 0; c < 3; ++c) {
-      const auto [lower, upper] = std::minmax({X[0](c), X[1](c), X[2](c), X[3](c)});
-      const double apart = std::max({lower - x(c), x(c) - upper, 0.0});
-      distance2 += apart * apart;
+  struct Met {
+    Index face = Target::none;
+    Crossing crossing;
+    double when = 2;  // in steps, from now
+  };
+
+  Eigen::Vector3d warp_of(Index f, const Corners& X) const {
+    return faces_.target.count(f) == 3 ? Eigen::Vector3d{0, 0, 0} : Eigen::Vector3d(0.25 * (X[0] - X[1] + X[2] - X[3]));
+  }
+  Crossing in_step(Index f, const Corners& X) const {
+    Motion motion{X, {}, all_.x[i_], way_, faces_.target.count(f) == 3};
+    for (unsigned k = 0; k < 4; ++k) motion.way_of_corners[k] = dt_ * all_.v[faces_.target.faces()[f][k]];
+    return crossing(motion, reach_);
+  }
+  Crossing in_last_step(Index f, const Corners& X) const {
+    const Target& target = faces_.target;
+    Motion motion{
+        target.corners(f, all_.x_before), {}, all_.x_before[i_], all_.x[i_] - all_.x_before[i_], target.count(f) == 3};
+    for (unsigned k = 0; k < 4; ++k) motion.way_of_corners[k] = X[k] - motion.X[k];
+    return crossing(motion, reach_);
+  }
+
+  void meet(Index f, const Crossing& crossing, double when) {
+    if (self && faces_.two_sided && neighbourhood_.has(i_, f)) return;
+    if (is_part_of_a_touch(f, crossing)) return;
+    // At a distance the faces of a common edge have one normal, that of the one which is met first.
+    const double rate = std::max(crossing.rate, first_.crossing.rate);
+    const double near = faces_.depth > 0 ? 0.0 : 4 * reach_.tolerance;
+    const bool at_once = std::abs(when - first_.when) * rate <= near;
+    if (!at_once && when > first_.when) return;
+    if (at_once && first_.face != Target::none && !is_crest(f, first_.face)) {  // in a dent each is a touch of its own
+      if (crossing.rate > first_.crossing.rate) sum_ = crossing.normal, first_ = {f, crossing, when};
+      return;
     }
-    return distance2 >= best_.point.distance2;
+    if (!at_once) sum_.setZero(), first_ = {};
+    const double weight = std::pow(std::min(crossing.rate, first_.crossing.rate) / rate, 4);
+    if (crossing.rate > first_.crossing.rate) {
+      sum_ = weight * sum_ + crossing.normal;
+      first_ = {f, crossing, when};
+    } else {
+      sum_ += weight * crossing.normal;
+    }
   }
-  /// True if the node is farther from the plane of a face than the step carries it; the warp of the face counts too.
-  bool is_off_plane(const Corners& X) const {
-    const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
-    const double from_plane = (all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3])).dot(area),
-                 warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
-    return std::abs(from_plane) > (faces_.depth + reach_ + warp) * area.norm();
+
+  /// True for what a touch of the node will pass to by itself, or which lies beyond a crest that the node touches.
+  bool is_part_of_a_touch(Index f, const Crossing& crossing) const {
+    for (const Touch& touch : touches_) {
+      if (touch.face == f) return true;
+      const bool connected = faces_.are_connected(f, touch.face);
+      if (goes_on(touch.normal, crossing.normal)) {
+        const double apart = std::abs(touch.normal.dot(faces_.way_to(i_, f, crossing.point.N, all_)));
+        if (connected ? !is_sharp_dent(touch, f) : apart < 0.02 * faces_.size) return true;
+      } else if (faces_.two_sided ? connected && crossing.point.where != ClosestPoint::inside
+                                  : is_below_crest(touch, f)) {
+        return true;
+      }
+    }
+    return false;
   }
-  /// True if a node that comes to an edge or a corner is inside at the end of the step, rather than past it.
-  bool will_be_inside(std::span<const Eigen::Vector3d> ahead, double side) const {
-    Foot foot;
-    faces_.take_nearest_around(
-        best_.face, ahead[i_], ahead, [&](Index f) { return self && faces_.target.has(f, i_); }, foot);
-    if (foot.on_border && !faces_.two_sided) return false;
-    return (foot.on_border ? std::abs(foot.height) : side * foot.height) < faces_.depth;
+  /// True if two faces hang together and each lies behind the other or in its plane.
+  bool is_crest(Index f, Index other) const {
+    const Eigen::Vector3d apart = faces_.target.middle(other, all_.x) - faces_.target.middle(f, all_.x);
+    const double flat = 1e-3 * apart.norm();
+    return faces_.are_connected(f, other) && faces_.normal(f, all_).dot(apart) < flat &&
+           faces_.normal(other, all_).dot(apart) > -flat;
+  }
+  /// True if the touched face of a solid and face f meet in a dent of more than 25 degrees, where a node touches both.
+  bool is_sharp_dent(const Touch& touch, Index f) const {
+    const Eigen::Vector3d normal = faces_.normal(f, all_), own = faces_.normal(touch.face, all_);
+    const Eigen::Vector3d apart = faces_.target.middle(f, all_.x) - faces_.target.middle(touch.face, all_.x);
+    return faces_.depth == 0 && own.dot(normal) < 0.9 && own.dot(apart) > 0 && normal.dot(apart) < 0;
+  }
+  /// True if the node is near a crest of face f that its touch has reached from the other side: as deep as it is
+  /// behind its face it may be beside the crest.
+  bool is_below_crest(const Touch& touch, Index f) const {
+    const Target& target = faces_.target;
+    const Projection foot = faces_.projection(touch.face, all_, i_);
+    const double near = std::max(0.0, -touch.normal.dot(foot.away)) + 0.02 * faces_.size;
+    const Corners X = target.corners(f, all_.x);
+    for (unsigned k = 0; k < target.count(f); ++k) {
+      const Index other = target.across(f, k);
+      if (other == Target::none || !goes_on(touch.normal, faces_.normal(other, all_))) continue;
+      const Eigen::Vector3d from = all_.x[i_] - X[k], edge = direction(X[(k + 1) % target.count(f)] - X[k]);
+      const bool is_dent = faces_.normal(f, all_).dot(target.middle(other, all_.x) - X[k]) > 0;
+      if (!is_dent && (from - edge.dot(from) * edge).norm() < near) return true;
+    }
+    return false;
+  }
+
+  /// The place of a crossing at the start of the step, with the normal through both points where the step is short: no
+  /// impulse then has a moment.
+  Place now(Index f, const Crossing& crossing, const Eigen::Vector3d& normal) const {
+    Place place{f, crossing.point.N, normal, 0};
+    const bool on_ridge = normal.dot(crossing.normal) < 1 - 1e-9;
+    if (const Projection foot = faces_.projection(f, all_, i_);
+        !on_ridge && foot.beyond < 0.5 && (faces_.depth == 0 || crossing.point.where == ClosestPoint::inside)) {
+      const Eigen::Vector3d n = faces_.normal(f, foot.N, all_);
+      place.N = foot.N, place.normal = n.dot(normal) < 0 ? -n : n;
+    } else if (const Foot near = faces_.foot(f, all_, i_); on_ridge || crossing.rate < faces_.depth) {
+      const double side = near.normal.dot(normal) < 0 ? -1 : 1;
+      if (side * near.normal.dot(normal) > 0.9) place.N = near.point.N, place.normal = side * near.normal;
+    }
+    place.height = place.normal.dot(faces_.way_to(i_, f, place.N, all_));
+    return place;
   }
 
   Index i_;
   const TouchedFaces& faces_;
   const ContactNodes& all_;
-  double dt_, reach_;
+  double dt_;
+  Eigen::Vector3d way_;  // of the node in the step to come [length]
+  Reach reach_;
+  double farthest_;  // way relative to a face in a step [length]
   const Neighbourhood& neighbourhood_;
-  Foot best_;
-  double first_ = 2;  // when the node meets the best face, as a fraction of the step; 2: it does not fly over faces
+  std::span<const Touch> touches_;
+  Met first_;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
 };
-
-/// Appends the pair of a first touch with one of the faces near a node; the face of the step before is considered
-/// first, for it spares most others.
-template <bool self>
-void begin_touch(FirstTouch<self> candidates, Touch& touch, std::span<const Index> near, PositionsAhead& ahead,
-                 std::vector<ContactPair>& pairs) {
-  const Index last = touch.face;
-  if (std::find(near.begin(), near.end(), last) != near.end()) candidates.consider(last);
-  for (const Index f : near)
-    if (f != last || !candidates.found()) candidates.consider(f);
-  candidates.begin(touch, ahead, pairs);
-}
 
 }  // namespace strike::detail

@@ -1,6 +1,10 @@
 #pragma once
 #include <algorithm>
-#include <vector>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
 
 #include <strike/contact/closest_point.hpp>
 #include <strike/contact/contact_nodes.hpp>
@@ -11,45 +15,142 @@
 
 namespace strike::detail {
 
-/// True if a face around may be closer although the foot is inside its own: in a dent, or deep below a crest.
-inline bool leans(const Foot& foot, const TouchedFaces& faces) {
-  return foot.point.distance2 > 1e-4 * faces.size * faces.size;
-}
+/// A touch goes on from face to face where their normals differ by less than 60 degrees; else their edge is a crest,
+/// past which a node is not behind the other face but beside the body.
+inline bool goes_on(const Eigen::Vector3d& normal, const Eigen::Vector3d& other) { return normal.dot(other) > 0.5; }
 
-/// True if the node went past the border of an open surface rather than through it.
-inline bool slid_off(const Foot& foot, const TouchedFaces& faces, const ContactNodes& all) {
-  const Corners X = faces.target.corners(foot.face, all.x);
-  const double down = faces.face_normal(foot, X).dot(foot.point.away);
-  return foot.point.distance2 > 2 * down * down + 1e-24 * faces.size * faces.size;
-}
-
-/// Appends the pair of node i, which touches already, as long as it is inside or will be at the end of the step. Only
-/// its face and those around it are looked at, so that a deep node is not taken for one that came through from behind.
+/// A node that touches, which follows its face and those around.
 template <bool self>
-void follow(Touch& touch, Index i, const TouchedFaces& faces, const ContactNodes& all, double dt,
-            std::vector<ContactPair>& pairs) {
-  Foot best = faces.foot(touch.face, all, i);
-  if (best.point.where != ClosestPoint::inside || leans(best, faces))
-    faces.take_nearest_around(
-        touch.face, all.x[i], all.x, [&](Index f) { return self && faces.target.has(f, i); }, best);
-  double side = touch.side;
-  if (best.on_border) {
-    if (faces.two_sided) {
-      side = best.height < 0 ? -1 : 1;  // round the edge of a plate
-    } else if (slid_off(best, faces, all)) {
-      touch = {};
-      return;
+class FollowedTouch {
+ public:
+  FollowedTouch(const Touch& touch, Index i, const TouchedFaces& faces, const ContactNodes& all,
+                std::span<const Index> near)
+      : touch_(touch), i_(i), faces_(faces), all_(all), near_(near) {}
+
+  /// Where the node is now; nothing if it has gone past a border or a crest.
+  std::optional<Place> place() const { return faces_.depth > 0 ? at_a_distance() : on_solid(); }
+
+ private:
+  bool is_own(Index f) const { return self && faces_.target.has(f, i_); }
+
+  /// Where plates are in it, which touch at a distance from their middle: the closest point of its face or of those
+  /// around. The side of a plate is given by the vector at its present face, and at those around by their common order
+  /// of corners.
+  std::optional<Place> at_a_distance() const {
+    const Foot own = faces_.foot(touch_.face, all_, i_);
+    Foot best = nearest_from(own, [&](Index f) { return !is_own(f); });
+    const auto is_behind = [&](Index f, const std::array<double, 4>& N) {
+      return faces_.two_sided && touch_.normal.dot(faces_.normal(f, N, all_)) < 0;
+    };
+    bool behind = is_behind(touch_.face, own.point.N);
+    if (best.point.where != ClosestPoint::inside)
+      each_in_line(faces_.projection(touch_.face, all_, i_).away, [&](Index f, const Projection& foot) {
+        if (foot.beyond > closed || foot.away.squaredNorm() >= best.point.distance2) return;
+        best = faces_.foot(f, all_, i_), behind = is_behind(f, foot.N);
+      });
+    if (best.on_border) {
+      if (faces_.two_sided)
+        behind = best.height < 0;  // round the edge of a plate
+      else if (slid_off(best))
+        return std::nullopt;
+    }
+    const double side = behind ? -1 : 1;
+    return Place{best.face, best.point.N, side * best.normal, side * best.height};
+  }
+  /// True if the node went past the border of an open surface rather than through it.
+  bool slid_off(const Foot& foot) const {
+    const double down = faces_.normal(foot.face, foot.point.N, all_).dot(foot.point.away);
+    return foot.point.distance2 > 2 * down * down + 1e-24 * faces_.size * faces_.size;
+  }
+
+  /// Of a solid: the foot of the perpendicular on its face, or on one that goes on there; else on the edge of a dent.
+  std::optional<Place> on_solid() const {
+    const Projection own = faces_.projection(touch_.face, all_, i_);
+    if (own.beyond <= closed) return at(touch_.face, own);
+
+    Index least = touch_.face;
+    Projection best = own;
+    const auto look = [&](Index f, const Projection& foot) {
+      const bool both_hold = foot.beyond <= closed && best.beyond <= closed;
+      if (both_hold ? foot.away.squaredNorm() < best.away.squaredNorm() : foot.beyond < best.beyond)
+        best = foot, least = f;
+    };
+    faces_.each_around(touch_.face, [&](Index f) {
+      if (f == touch_.face || is_own(f) || !goes_on(touch_.normal, faces_.normal(f, all_))) return;
+      look(f, faces_.projection(f, all_, i_));
+    });
+    if (best.beyond > closed)
+      each_in_line(own.away, [&](Index f, const Projection& foot) {
+        if (foot.beyond <= closed) look(f, foot);
+      });
+    if (best.beyond <= closed || (best.beyond <= overhang && ends(least, best.edge))) return at(least, best);
+
+    const Foot nearest = nearest_from(faces_.foot(touch_.face, all_, i_), [&](Index f) {
+      return !is_own(f) && goes_on(touch_.normal, faces_.normal(f, all_));
+    });
+    if (is_at_end(nearest)) return best.beyond <= overhang ? std::optional(at(least, best)) : std::nullopt;
+    const double side = touch_.normal.dot(nearest.normal) < 0 ? -1 : 1;
+    return Place{nearest.face, nearest.point.N, side * nearest.normal, side * nearest.height};
+  }
+
+  /// The nearest foot, from face to face as long as one around is nearer.
+  template <class Admits>
+  Foot nearest_from(Foot best, const Admits& admits) const {
+    // Where the foot is inside its face and near, none around is nearer.
+    while (best.point.where != ClosestPoint::inside || best.point.distance2 > 1e-4 * faces_.size * faces_.size) {
+      const Index from = best.face;
+      faces_.each_around(from, [&](Index f) {
+        if (!admits(f)) return;
+        if (const Foot foot = faces_.foot(f, all_, i_); foot.point.distance2 < best.point.distance2) best = foot;
+      });
+      if (best.face == from) break;
+    }
+    return best;
+  }
+
+  /// Calls g(f, foot) for other faces near that go on in the plane of the present one: those of another part, at a
+  /// seam, or those that a fast node has come to past its neighbours. `away` leads from that plane to the node.
+  template <class G>
+  void each_in_line(const Eigen::Vector3d& away, const G& g) const {
+    for (const Index f : near_) {
+      if (faces_.are_connected(f, touch_.face) || is_own(f)) continue;
+      const double cosine = touch_.normal.dot(faces_.normal(f, all_));
+      if (!(faces_.two_sided ? std::abs(cosine) > 0.5 : cosine > 0.5)) continue;
+      const Projection foot = faces_.projection(f, all_, i_);
+      if (std::abs(touch_.normal.dot(foot.away - away)) < overhang * faces_.size) g(f, foot);
     }
   }
-  touch.face = best.face, touch.side = side;
-  const double height = side * best.height - faces.depth;
-  touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
-  const ContactPair pair = faces.pair(i, best, side, height + touch.initial_depth, touch);
-  if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) {
-    touch = {};
-    return;
+
+  /// True for a border or a crest.
+  bool ends(Index face, unsigned edge) const {
+    const Index other = faces_.target.across(face, edge);
+    return other == Target::none || !goes_on(touch_.normal, faces_.normal(other, all_));
   }
-  pairs.push_back(pair);
-}
+  /// True on a border or a crest.
+  bool is_at_end(const Foot& foot) const {
+    const Target& target = faces_.target;
+    const unsigned corners = target.count(foot.face);
+    if (foot.point.where == ClosestPoint::inside) return false;
+    if (foot.point.where == ClosestPoint::on_edge) return ends(foot.face, foot.point.which);
+    const Index corner = target.faces()[foot.face][foot.point.which];
+    for (const Index face : target.at(corner)) {
+      if (!goes_on(touch_.normal, faces_.normal(face, all_))) return true;
+      for (unsigned k = 0; k < target.count(face); ++k)
+        if (target.faces()[face][k] == corner && (ends(face, k) || ends(face, (k + corners - 1) % corners)))
+          return true;
+    }
+    return false;
+  }
+
+  static Place at(Index f, const Projection& foot) { return {f, foot.N, foot.normal, foot.normal.dot(foot.away)}; }
+
+  static constexpr double closed = 1e-9, overhang = 0.02;  // of the edges of a face, in its widths
+
+  const Touch& touch_;
+  Index i_;
+  const TouchedFaces& faces_;
+  const ContactNodes& all_;
+  std::span<const Index> near_;
+};
 
 }  // namespace strike::detail

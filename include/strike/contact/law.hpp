@@ -24,28 +24,34 @@ inline double stable_step_with_contact(double dt, double kappa) {
 }
 
 /// Impulses that bring nodes to the surface at the end of the step: inelastic impacts of m*, without a stiffness or a
-/// smaller step, at any speed. Pairs that share nodes are corrected one after the other, each with the velocities that
-/// the pairs before it have left. A node that is inside, because its neighbours moved its face, leaves no faster than
-/// it came in: no impulse adds energy.
+/// smaller step, at any speed. Pairs that share nodes are corrected one after the other, forward and backward in turn,
+/// each with the velocities that the others have left; an impulse that they make needless is taken back (projected
+/// Gauss-Seidel). A node that is inside, because its neighbours moved its face, leaves no faster than it came in: no
+/// impulse adds energy.
 struct Kinematic {
-  int sweeps = 2;  ///< number of corrections of every pair in a step
+  int sweeps = 3;  ///< number of corrections of every pair in a step, the last of which takes nothing back
 
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
+    std::vector<double> wanted(pairs.size());
+    const auto correct = [&](std::size_t p, int sweep) {
+      ContactPair& pair = pairs[p];
+      const double approach = pair.normal.dot(pair.velocity(nodes));
+      if (sweep == 0) wanted[p] = std::min(-pair.gap / step.dt, std::max(0.0, -approach));
+      const bool takes_back = sweep + 1 < sweeps;
+      if (pair.inverse_effective_mass > 0 && (approach < wanted[p] || (takes_back && pair.impulse > 0)))
+        pair.push(nodes, std::max(-pair.impulse, (wanted[p] - approach) / pair.inverse_effective_mass));
+    };
     for (int sweep = 0; sweep < sweeps; ++sweep)
-      for (ContactPair& pair : pairs) {
-        const double approach = pair.normal.dot(pair.velocity(nodes));
-        const double wanted = std::min(-pair.gap / step.dt, std::max(0.0, -approach));
-        if (approach < wanted && pair.inverse_effective_mass > 0)
-          pair.push(nodes, (wanted - approach) / pair.inverse_effective_mass);
-      }
+      for (std::size_t k = 0; k < pairs.size(); ++k) correct(sweep % 2 == 0 ? k : pairs.size() - 1 - k, sweep);
     return 0;
   }
 };
 
-/// Springs k against the depth at the time n. Without a `stiffness`, k = fraction m*/dt^2, scaled so that kappa_I dt^2
-/// <= fraction with kappa_I = sum of k (1 + sum of N_J) N_I/m_I over the pairs of node I, a bound of the highest
-/// frequency (Gershgorin): the step stays nearly that of the elements. With one, the step becomes as small as it needs.
-/// No spring gives back more energy than it took.
+/// Springs k against the depth at the time n. Without a `stiffness`, k = fraction m*/dt^2 with the stable step dt of
+/// the elements, whatever shortens the step of the run, scaled so that kappa_I dt^2 <= fraction with kappa_I = sum of k
+/// (1 + sum of N_J) N_I/m_I over the pairs of node I, a bound of the highest frequency (Gershgorin): the step stays
+/// nearly that of the elements. With one, the step becomes as small as it needs. No spring gives back more energy than
+/// it took.
 struct Penalty {
   double fraction = 0.5;  ///< of m*/dt^2, between 0 and 2
   double stiffness = 0;   ///< of each pair [force/length]; 0: by the fraction
@@ -55,20 +61,18 @@ struct Penalty {
     using namespace detail;
     std::vector<double> sum(nodes.size(), 0.0);  // kappa_I
     const auto add = [&](const ContactPair& pair) {
-      double moved = 1;  // norm of the pair's row
+      double moved = 0;  // norm of the pair's row
       for (unsigned i = 0; i < pair.count; ++i)
-        if (nodes.inverse_mass(pair.corners[i]) > 0) moved += pair.N[i];
-      const double k = pair.stiffness * moved;
-      sum[pair.node] += k * nodes.inverse_mass(pair.node);
+        if (nodes.inverse_mass(pair.nodes[i]) > 0) moved += std::abs(pair.weights[i]);
       for (unsigned i = 0; i < pair.count; ++i)
-        sum[pair.corners[i]] += k * pair.N[i] * nodes.inverse_mass(pair.corners[i]);
+        sum[pair.nodes[i]] += pair.stiffness * moved * std::abs(pair.weights[i]) * nodes.inverse_mass(pair.nodes[i]);
     };
     const auto largest = [&](const ContactPair& pair) {
-      double most = sum[pair.node];
-      for (unsigned i = 0; i < pair.count; ++i) most = std::max(most, sum[pair.corners[i]]);
+      double most = 0;
+      for (unsigned i = 0; i < pair.count; ++i) most = std::max(most, sum[pair.nodes[i]]);
       return most;
     };
-    const double allowed = fraction / (step.dt * step.dt);
+    const double allowed = fraction / (step.stable_dt * step.stable_dt);
     for (ContactPair& pair : pairs) {
       pair.stiffness = !(pair.inverse_effective_mass > 0) ? 0
                        : stiffness > 0                    ? stiffness

@@ -33,17 +33,24 @@ class NearFaces {
   /// Searches again if nodes and faces may have moved by the margin at the end of a step; `size` is that of the faces.
   void update(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target, double reach, double size,
               double dt) {
-    const double speed = relative_speed(all, nodes, target);
-    step_reach_ = dt * speed;
-    if (!(travelled_ + step_reach_ <= margin_)) sort(all, nodes, target, reach, std::max(3 * step_reach_, 0.25 * size));
+    speed_ = relative_speed(all, nodes, target);
+    step_reach_ = dt * speed_;
+    // Twice the way, so that the step after this one is seen too.
+    if (!(travelled_ + 2 * step_reach_ <= margin_))
+      sort(all, nodes, target, reach, std::max(4 * step_reach_, 0.25 * size));
     travelled_ += step_reach_;
   }
   /// Corrects the distance travelled by what the impulses of the step have sped up.
   void moved(const ContactNodes& all, double dt) {
     double most = 0;
     for (const Index i : all.touched()) most = std::max(most, (all.v[i] - mean_velocity_).norm());
-    travelled_ += std::max(0.0, 2 * dt * most - step_reach_);
+    last_reach_ = std::max(step_reach_, 2 * dt * most);
+    travelled_ += last_reach_ - step_reach_;
   }
+  /// Bound of the way of a node relative to a face in this step, or in the last one [length].
+  double reach() const { return std::max(step_reach_, last_reach_); }
+  /// False if nothing comes nearer by more than `way` in a time dt.
+  bool may_close(double dt, double way) const { return dt * speed_ > way; }
   /// Drops what belongs to faces that have changed.
   void forget() { corners_.clear(), margin_ = -1; }
 
@@ -51,15 +58,13 @@ class NearFaces {
   std::span<const Index> of(std::size_t s) const { return search_.near(s); }
   /// Nodes that have a face near, by their places in the list.
   const std::vector<Index>& awake() const { return search_.awake(); }
-  /// Bound of the distance that a node covers in the step relative to a face [length].
-  double step_reach() const { return step_reach_; }
   /// The largest 1/m* of a node and a corner near it [1/mass]: a bound for the stiffness of springs.
   double largest_inverse_mass() const { return largest_inverse_mass_; }
   std::size_t sorts() const { return sorts_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(corners_, search_, margin_, travelled_, largest_inverse_mass_, sorts_);
+    archive(corners_, search_, margin_, travelled_, last_reach_, largest_inverse_mass_, sorts_);
   }
 
  private:
@@ -84,7 +89,7 @@ class NearFaces {
   BucketSearch search_;
   std::vector<Index> corners_;  // of the faces, each once
   Eigen::Vector3d mean_velocity_ = Eigen::Vector3d::Zero();
-  double margin_ = -1, travelled_ = 0, step_reach_ = 0, largest_inverse_mass_ = 0;
+  double margin_ = -1, travelled_ = 0, speed_ = 0, step_reach_ = 0, last_reach_ = 0, largest_inverse_mass_ = 0;
   std::size_t sorts_ = 0;
 };
 

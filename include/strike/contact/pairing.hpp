@@ -11,6 +11,7 @@
 #include <strike/contact/approach.hpp>
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/edge_approach.hpp>
 #include <strike/contact/orientation.hpp>
 #include <strike/contact/rigid.hpp>
 #include <strike/contact/rigid_approach.hpp>
@@ -59,14 +60,33 @@ class SurfaceMeeting {
                                          0.5 * (thickness + other.thickness()), other.thickness() > 0));
   }
 
+  /// Adds the edges of a surface against those of another.
+  void add_edges(std::size_t first, std::size_t second, const ContactNodes& all) {
+    const Surface &one = surfaces_[first], &other = surfaces_[second];
+    edges_.push_back(EdgeApproach<self>(target_of(one, all), target_of(other, all),
+                                        0.5 * (one.thickness() + other.thickness()),
+                                        {one.thickness() > 0, other.thickness() > 0}));
+    edged_ = {first, second};
+  }
+
   void begin(const ContactNodes& all, InitialPenetration& inside) {
     for (auto& approach : approaches_) approach.begin(all, inside);
+    for (auto& edges : edges_) edges.begin(all);
   }
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs) {
-    for (auto& approach : approaches_) approach.find(all, step, pairs);
+    for (auto& approach : approaches_) approach.find(all, step, pairs, rounding_);
+    const auto touches = [&](Index i) {
+      return std::any_of(approaches_.begin(), approaches_.end(), [&](const auto& to) { return to.touches(i); });
+    };
+    for (auto& edges : edges_) edges.find(all, step, pairs, touches, rounding_);
+    rounding_.end_step();
   }
   void moved(const ContactNodes& all, double dt) {
     for (auto& approach : approaches_) approach.moved(all, dt);
+  }
+  double closing_step(const ContactNodes& all, double moved, double dt) {
+    for (auto& approach : approaches_) dt = approach.closing_step(all, moved, dt);
+    return dt;
   }
   double largest_inverse_mass() const {
     double most = 0;
@@ -93,11 +113,14 @@ class SurfaceMeeting {
       if (!fixed) numbers = ascending(std::move(numbers), surface_nodes(surfaces_[from].faces()));
       approaches_[k].change(to_local(numbers, all), target_of(surfaces_[target], all));
     }
+    for (auto& edges : edges_)
+      if (changed[edged_[0]] || changed[edged_[1]])
+        edges.change(target_of(surfaces_[edged_[0]], all), target_of(surfaces_[edged_[1]], all));
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(std::span(surfaces_), std::span(ways_), std::span(approaches_));
+    archive(std::span(surfaces_), std::span(ways_), std::span(approaches_), std::span(edges_), rounding_);
   }
 
  private:
@@ -115,6 +138,9 @@ class SurfaceMeeting {
   std::vector<Surface> surfaces_;
   std::vector<Way> ways_;
   std::vector<Approach<self>> approaches_;
+  std::vector<EdgeApproach<self>> edges_;  // none or one
+  std::array<std::size_t, 2> edged_{};     // its surfaces
+  Rounding rounding_;
 };
 
 }  // namespace detail
@@ -146,6 +172,7 @@ struct TwoWay {
     detail::SurfaceMeeting<false> meeting({first_surface, second_surface});
     meeting.add({}, 0, 1, first_surface.thickness(), all);
     meeting.add({}, 1, 0, second_surface.thickness(), all);
+    meeting.add_edges(0, 1, all);
     return meeting;
   }
 };
@@ -160,6 +187,7 @@ struct SelfContact {
   detail::SurfaceMeeting<true> start(const ContactNodes& all) const {
     detail::SurfaceMeeting<true> meeting({surface});
     meeting.add({}, 0, 0, surface.thickness(), all);
+    meeting.add_edges(0, 0, all);
     return meeting;
   }
 };

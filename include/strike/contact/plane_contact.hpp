@@ -11,6 +11,7 @@
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/friction.hpp>
 #include <strike/contact/rigid.hpp>
+#include <strike/contact/spacing.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/step.hpp>
@@ -38,14 +39,31 @@ class PlaneContact {
       std::iota(places_.begin(), places_.end(), Index{0});
     }
     for (const Index i : nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
+    std::vector<Eigen::Vector3d> all;
+    for (const Index place : places_) all.push_back(position(nodes, place));
+    cells_ = spacing(all);
     for (std::size_t k = 0; k < places_.size(); ++k) {
-      const Eigen::Vector3d x = position(nodes, places_[k]);
+      const Eigen::Vector3d& x = all[k];
       const double depth = normal_.dot(point_ - x);
       if (!(depth > 0)) continue;
       inside_.push_back({k, depth});
       const Index i = nodes.number(places_[k]);
       if (depth > std::max(1e-9 * x.norm(), rounding(nodes, i))) initial_.add(i, x, depth);
     }
+  }
+
+  /// The step in which no node closes on the plane by more than its gap and a share of a cell.
+  template <class N>
+  double stable_step(double dt, const N& nodes) const {
+    double step = dt;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const Eigen::Vector3d v = N::vector_of(nodes.velocity()[places_[k]]).template cast<double>();
+      const double closing = -normal_.dot(v);
+      if (!(closing * dt > closing_share * cells_[k])) continue;
+      const double gap = normal_.dot(position(nodes, places_[k]) - point_);
+      if (gap >= 0) step = std::min(step, closing_step(gap, closing, cells_[k]));
+    }
+    return step;
   }
 
   template <class N, class Ledger>
@@ -179,6 +197,7 @@ class PlaneContact {
   bool everywhere_ = false;
   std::vector<Index> nodes_;           // numbers of those given
   std::vector<Index> places_;          // of the nodes in memory
+  std::vector<double> cells_;          // their size at each node [length]
   std::vector<InitialDepth> inside_;   // in ascending order of k
   std::vector<TouchingNode> touches_;  // of the last step
   InitialPenetration initial_;

@@ -39,6 +39,7 @@ enum class ContactFlaw {
   points,
   remove,
   check_parts,
+  closing_step,
   press,
   kappa,
   impulse,
@@ -58,6 +59,7 @@ constexpr ContactFlaw contact_flaw() {
     if (nearly<Remove, MeetingOf<P>, const std::size_t, const std::vector<bool>, const ContactNodes>)
       return ContactFlaw::remove;
     if (nearly<CheckParts, const MeetingOf<P>, const std::vector<std::size_t>>) return ContactFlaw::check_parts;
+    if (nearly<ClosingStep, MeetingOf<P>, const ContactNodes, double, double>) return ContactFlaw::closing_step;
     if (((HasName<Press, Policies> && !ContactLaw<Policies>) || ...)) return ContactFlaw::press;
     if (((ContactLaw<Policies> && nearly<Kappa, const Policies, double>) || ...)) return ContactFlaw::kappa;
     if (((HasName<Impulse, Policies> && !Friction<Policies>) || ...)) return ContactFlaw::impulse;
@@ -103,6 +105,9 @@ constexpr void refuse_contact() {
   static_assert(flaw != check_parts,
                 "strike: the check_parts of what this pairing starts does not fit; write check_parts(const "
                 "std::vector<std::size_t>& elements) const.");
+  static_assert(flaw != closing_step,
+                "strike: the closing_step of what this pairing starts does not fit; write double closing_step(const "
+                "ContactNodes& nodes, double moved, double dt).");
   static_assert(
       flaw != press,
       "strike: the press of this normal law does not fit; write double press(std::vector<ContactPair>& pairs, "

@@ -6,6 +6,7 @@
 
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/spacing.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/step.hpp>
@@ -21,6 +22,9 @@ class RigidApproach {
       : nodes_(std::move(nodes)), body_(std::move(body)), depth_(depth), touches_(nodes_.size()) {}
 
   void begin(const ContactNodes& all, InitialPenetration& inside) {
+    std::vector<Eigen::Vector3d> x;
+    for (const Index i : nodes_) x.push_back(all.x[i]);
+    cells_ = spacing(x);
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       const Index i = nodes_[s];
       largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(i));
@@ -36,17 +40,31 @@ class RigidApproach {
       const Index i = nodes_[s];
       const auto [distance, normal] = body_.clearance(all.x[i]);
       const double height = distance - depth_;
-      Touch& touch = touches_[s];
+      RigidTouch& touch = touches_[s];
       touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
       const double gap = height + touch.initial_depth;
+      check_depth(all.number(i), all.x[i], -gap, cells_[s]);
       if (gap > 0 && (gap + step.dt * normal.dot(all.v[i]) >= 0 || !meets(all.x[i], gap, step.dt * all.v[i]))) {
         touch.stored = 0;
         continue;
       }
-      pairs.push_back({.node = i, .normal = normal, .gap = gap, .stored = &touch.stored});
+      pairs.emplace_back(normal, gap);
+      pairs.back().add(i, 1), pairs.back().stored = &touch.stored;
     }
   }
   void moved(const ContactNodes&, double) {}
+  double closing_step(const ContactNodes& all, double moved, double dt) const {
+    double step = dt;
+    for (std::size_t s = 0; s < nodes_.size(); ++s) {
+      const Eigen::Vector3d &v = all.v[nodes_[s]], x = all.x[nodes_[s]] + moved * v;
+      if (!(dt * v.norm() > closing_share * cells_[s])) continue;
+      const auto [distance, normal] = body_.clearance(x);
+      const double gap = distance - depth_, closing = -normal.dot(v);
+      if (closing * dt > gap && gap >= 0 && meets(x, gap, dt * v))
+        step = std::min(step, detail::closing_step(gap, closing, cells_[s]));
+    }
+    return step;
+  }
   double largest_inverse_mass() const { return largest_inverse_mass_; }
 
   template <class Archive>
@@ -67,10 +85,22 @@ class RigidApproach {
     return gone <= length;
   }
 
+  /// The touch of a node, kept from step to step: its initial penetration [length], and the energy that the law has
+  /// taken and not given back.
+  struct RigidTouch {
+    double initial_depth = 0, stored = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(initial_depth, stored);
+    }
+  };
+
   std::vector<Index> nodes_;
   Body body_;
   double depth_;
-  std::vector<Touch> touches_;
+  std::vector<RigidTouch> touches_;
+  std::vector<double> cells_;  // their size at each node [length]
   double largest_inverse_mass_ = 0;
 };
 

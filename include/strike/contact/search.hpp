@@ -58,7 +58,7 @@ class BucketSearch {
   }
 
   /// The faces near nodes[s], in ascending order.
-  std::span<const Index> near(std::size_t s) const { return {&near_[0] + begin_[s], begin_[s + 1] - begin_[s]}; }
+  std::span<const Index> near(std::size_t s) const { return {near_.data() + begin_[s], begin_[s + 1] - begin_[s]}; }
   /// The places in the list of the nodes that have a face near.
   const std::vector<Index>& awake() const { return awake_; }
 

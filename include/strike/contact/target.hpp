@@ -57,6 +57,9 @@ class Target {
   /// The faces that have a node as a corner.
   std::span<const Index> at(Index node) const { return {at_.data() + first_[node], first_[node + 1] - first_[node]}; }
 
+  /// The face beyond edge i of a face, from its corner i to the next; `none` at a border.
+  Index across(Index face, unsigned i) const { return across_[face][i]; }
+
   /// The face with these corners, from either side; `none` if there is none.
   Index find(const FaceCorners& corners) const {
     for (const Index face : at(corners[0]))
@@ -79,6 +82,10 @@ class Target {
     Corners X = corners(face, x);
     for (unsigned i = 0; i < 4; ++i) X[i] += t * v[faces_[face][i]];
     return X;
+  }
+  Eigen::Vector3d middle(Index face, std::span<const Eigen::Vector3d> x) const {
+    const Corners X = corners(face, x);
+    return count(face) == 3 ? (1.0 / 3) * (X[0] + X[1] + X[2]) : 0.25 * (X[0] + X[1] + X[2] + X[3]);
   }
 
   ClosestPoint closest(Index face, const Corners& X, const Eigen::Vector3d& at) const {

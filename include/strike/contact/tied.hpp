@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -81,7 +82,7 @@ class Tied {
   Eigen::Vector3d force() const {
     using namespace detail;
     Eigen::Vector3d sum{0, 0, 0};
-    for (const ContactPair& tie : ties_) sum += all_.normal_impulse[tie.node];
+    for (const ContactPair& tie : ties_) sum += all_.normal_impulse[tie.nodes[0]];
     return sum / step_.kick();
   }
   /// Number of sweeps over the nodes in the last step.
@@ -102,15 +103,21 @@ class Tied {
     search.sort(local, target_.faces(), all_.x, tolerance_);
     for (std::size_t s = 0; s < local.size(); ++s) {
       const detail::Foot foot = nearest(s, local[s], search);
+      const detail::FaceCorners& corners = target_.faces()[foot.face];
       ContactPair pair;
-      pair.node = local[s], pair.corners = target_.faces()[foot.face], pair.N = foot.point.N;
-      pair.count = target_.count(foot.face);
-      const Eigen::Vector3d normal = detail::normal_at(target_.corners(foot.face, all_.x), pair.N, pair.count == 3);
-      pair.gap = normal.dot(foot.point.away);
+      pair.add(local[s], 1);
+      for (unsigned k = 0; k < target_.count(foot.face); ++k) pair.add(corners[k], -foot.point.N[k]);
+      pair.gap = normal_of(pair, foot.face, target_.corners(foot.face, all_.x)).dot(foot.point.away);
       if (std::abs(pair.gap) < 1e-9 * tolerance_) pair.gap = 0;
       ties_.push_back(pair);
       faces_.push_back(foot.face);
     }
+  }
+  /// The normal of a face where a tie has its place.
+  Eigen::Vector3d normal_of(const ContactPair& tie, Index face, const detail::Corners& X) const {
+    std::array<double, 4> N{};
+    for (unsigned i = 1; i < tie.count; ++i) N[i - 1] = -tie.weights[i];
+    return detail::normal_at(X, N, target_.count(face) == 3);
   }
   /// The foot of tied node s on the nearest face.
   detail::Foot nearest(std::size_t s, Index node, const detail::BucketSearch& search) const {
@@ -134,9 +141,9 @@ class Tied {
     using namespace detail;
     ContactPair& tie = ties_[k];
     const auto ahead = [&](Index i) { return all_.x[i] + dt * all_.v[i]; };
-    Eigen::Vector3d off = ahead(tie.node);
-    for (unsigned i = 0; i < tie.count; ++i) off -= tie.N[i] * ahead(tie.corners[i]);
-    if (tie.gap != 0) off -= tie.gap * normal_at(target_.corners(faces_[k], all_.x, all_.v, dt), tie.N, tie.count == 3);
+    Eigen::Vector3d off{0, 0, 0};
+    for (unsigned i = 0; i < tie.count; ++i) off += tie.weights[i] * ahead(tie.nodes[i]);
+    if (tie.gap != 0) off -= tie.gap * normal_of(tie, faces_[k], target_.corners(faces_[k], all_.x, all_.v, dt));
     const Eigen::Vector3d v = off / dt;
     for (int a = 0; a < 3; ++a) {
       tie.normal = unit(Axis{a});

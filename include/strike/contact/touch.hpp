@@ -4,24 +4,34 @@
 
 #include <Eigen/Core>
 
+#include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {
 
-/// The touch of a node, kept from step to step.
+/// The touch of a node with a face, kept from step to step.
 struct Touch {
-  double side = 0;           ///< of a plate from which the node came: 1 or -1; 0: no touch
-  double initial_depth = 0;  ///< initial penetration, tolerated without force [length]
-  double stored = 0;         ///< energy that the law has taken and not given back [energy]
+  Index node = 0;  ///< its place in the list of nodes
   Index face = 0;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, to the side of the node: no order of corners turns it
+  double initial_depth = 0;                          ///< initial penetration, tolerated without force [length]
+  double stored = 0;                                 ///< energy that the law has taken and not given back [energy]
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(side, initial_depth, stored, face);
+    archive(node, face, normal, initial_depth, stored);
   }
 };
+
+/// Error: a node that has come deeper into what it touches than a cell is large, by which no law means to hold it.
+inline void check_depth(Index number, const Eigen::Vector3d& x, double depth, double cell) {
+  if (!(depth > cell)) return;
+  throw Error(joined({"strike: node ", std::to_string(number), " at ", text(x), " has come ", text(depth),
+                      " deep into what it touches, more than a cell: the springs of a Penalty are too soft at this "
+                      "speed; take Kinematic, or a greater fraction or stiffness."}));
+}
 
 /// Count of the nodes that start inside, and the deepest of them.
 struct InitialPenetration {

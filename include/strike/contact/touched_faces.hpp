@@ -1,16 +1,26 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <strike/contact/closest_point.hpp>
 #include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/crossing.hpp>
 #include <strike/contact/target.hpp>
-#include <strike/contact/touch.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike::detail {
+
+/// Where a node and a face press on each other.
+struct Place {
+  Index face = 0;
+  std::array<double, 4> N{};  ///< of the face's corners, of sum 1
+  Eigen::Vector3d normal;     ///< unit, to the side of the node
+  double height = 0;          ///< of the node over the face along it; negative behind [length]
+};
 
 /// Faces that nodes may touch, at what distance and from which sides.
 struct TouchedFaces {
@@ -19,39 +29,51 @@ struct TouchedFaces {
   bool two_sided = false;  ///< plates: touched from both sides
   double size = 0;         ///< mean diagonal of a face at the start [length]
 
+  Reach reach() const { return {depth, 1e-6 * size, two_sided, 0}; }
+  /// By how much a node may be inside a face to which it passes round an edge [length].
+  double slack() const { return 0.05 * size; }
+
   /// The foot of node i on face f.
   Foot foot(Index f, const ContactNodes& all, Index i) const {
     return target.foot(f, target.corners(f, all.x), all.x[i], all.x);
   }
-  /// Replaces `best` by the foot of a point on the nearest of the faces around face f, if that is nearer;
-  /// `skips(other)` leaves faces out.
-  template <class Skips>
-  void take_nearest_around(Index f, const Eigen::Vector3d& at, std::span<const Eigen::Vector3d> x, const Skips& skips,
-                           Foot& best) const {
+  Projection projection(Index f, const ContactNodes& all, Index i) const {
+    return project(target.corners(f, all.x), all.x[i], target.count(f) == 3);
+  }
+  /// The normal of face f at shape functions N, from the side to which its corners turn counter-clockwise.
+  Eigen::Vector3d normal(Index f, const std::array<double, 4>& N, const ContactNodes& all) const {
+    return normal_at(target.corners(f, all.x), N, target.count(f) == 3);
+  }
+  /// The normal of face f in its middle.
+  Eigen::Vector3d normal(Index f, const ContactNodes& all) const { return normal(f, {0.25, 0.25, 0.25, 0.25}, all); }
+  /// From a point of the face, by its shape functions, to node i [length].
+  Eigen::Vector3d way_to(Index i, Index f, const std::array<double, 4>& N, const ContactNodes& all) const {
+    Eigen::Vector3d way = all.x[i];
+    for (unsigned k = 0; k < target.count(f); ++k) way -= N[k] * all.x[target.faces()[f][k]];
+    return way;
+  }
+  /// Calls g(other) for the faces around face f, itself among them; some come more than once.
+  template <class G>
+  void each_around(Index f, const G& g) const {
     for (unsigned k = 0; k < target.count(f); ++k)
-      for (const Index other : target.at(target.faces()[f][k])) {
-        if (skips(other)) continue;
-        const Foot foot = target.foot(other, target.corners(other, x), at, x);
-        if (foot.point.distance2 < best.point.distance2) best = foot;
-      }
+      for (const Index other : target.at(target.faces()[f][k])) g(other);
   }
-  /// The normal of a face at the foot, where `Foot::normal` may lead away from an edge.
-  Eigen::Vector3d face_normal(const Foot& foot, const Corners& X) const {
-    return normal_at(X, foot.point.N, target.count(foot.face) == 3);
+  bool are_connected(Index f, Index other) const {
+    const auto& c = target.faces()[f];
+    return std::any_of(c.begin(), c.end(), [&](Index corner) { return target.has(other, corner); });
   }
-  /// The side of a plate on which a foot's node is: 1 or -1; 1 of solids.
-  double side_of(const Foot& foot) const { return two_sided && foot.height < 0 ? -1 : 1; }
-  /// True on the side from which the faces are touched; plates are touched from both.
-  bool is_outside(const Foot& foot) const { return two_sided || foot.height >= -1e-6 * size; }
 
-  /// The pair of a node with the point of its foot.
-  ContactPair pair(Index node, const Foot& foot, double side, double gap, Touch& touch) const {
-    ContactPair pair;
-    pair.node = node, pair.N = foot.point.N, pair.count = target.count(foot.face);
-    pair.corners = target.faces()[foot.face];
-    pair.normal = side * foot.normal;
-    pair.gap = gap;
-    pair.stored = &touch.stored;
+  /// The normal of a plate's middle surface at a place, to the side of the node; Place::normal may lead from its edge.
+  Eigen::Vector3d side_of_plate(const Place& place, const ContactNodes& all) const {
+    const Eigen::Vector3d n = normal(place.face, place.N, all);
+    return n.dot(place.normal) < 0 ? -n : n;
+  }
+
+  /// The pair of node i with a place, `gap` apart along the normal.
+  ContactPair pair(Index i, const Place& place, double gap) const {
+    ContactPair pair(place.normal, gap);
+    pair.add(i, 1);
+    for (unsigned k = 0; k < target.count(place.face); ++k) pair.add(target.faces()[place.face][k], -place.N[k]);
     return pair;
   }
 };

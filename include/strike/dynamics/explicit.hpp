@@ -163,7 +163,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   void choose_step() {
     const double before = step_.dt, left_of_run = end_ - clock_.time();
     if (!cycle_.is_complete()) {
-      step_ = {step_.number + 1, clock_.time(), before, cycle_.next_step(before, left_of_run)};
+      step_ = {step_.number + 1, clock_.time(), before, cycle_.next_step(before, left_of_run), step_.stable_dt};
       return;
     }
     if (std::isfinite(stable_.dt)) bounded_ = stable_.dt;  // and while nothing is left that resists, as before
@@ -176,7 +176,8 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
     const double left = left_of_run / static_cast<double>(cycle_.multiple());
     if (2 * dt > left) dt = dt < left ? 0.5 * left : left;
-    step_ = {step_.number + 1, clock_.time(), before, dt};
+    step_ = {step_.number + 1, clock_.time(), before, dt,
+             std::isfinite(stable_.of_elements) ? stable_.of_elements : dt};
   }
 
   /// Stops all nodes where the damping says so; they go on as at the start, under half a kick.
@@ -248,9 +249,11 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     });
     remove_deleted();
     bound_.extend(stable_, this->nodes_, this->items_, execution_);
+    stable_.of_elements = stable_.dt;
     this->each([&](auto& item) {
-      if constexpr (detail::answers<detail::item::StableStep, decltype(item), double>)
-        stable_.dt = item.stable_step(stable_.dt);
+      using Item = decltype(item);
+      if constexpr (detail::answers<detail::item::StableStep, Item, double, const Nodes>)
+        stable_.dt = detail::item::StableStep::call(item, stable_.dt, std::as_const(this->nodes_));
     });
     if (!cycle_.is_complete()) stable_ = before;
   }

@@ -16,7 +16,7 @@ namespace strike {
 // order, and one function of all items in the order of the scene. `nodes` are strike/motion/nodes.hpp's, in the numbers
 // of the run: take them as a template parameter.
 //  1. begin(nodes)                           once, when the masses are known: initial velocities, held directions
-//  2. stable_step(dt) -> double              the stable step that is left of the elements' dt
+//  2. stable_step(dt, nodes) -> double       the step that is left of the elements' stable dt; `nodes` may be left out
 //  3. apply_loads(nodes, time)               adds forces at the new positions, by nodes.add_force;
 //     power(nodes) -> double                 and their power at the present velocities, for the balance: both or
 //     neither
@@ -53,7 +53,20 @@ struct StableStep {
   };
   template <class Item>
   using Member = decltype(&Item::stable_step);
-  static auto call(auto& item, double dt) -> decltype(double(item.stable_step(dt))) { return item.stable_step(dt); }
+  static double call(auto& item, double dt, const auto& nodes)
+    requires requires {
+      { item.stable_step(dt, nodes) } -> std::convertible_to<double>;
+    }
+  {
+    return item.stable_step(dt, nodes);
+  }
+  static double call(auto& item, double dt, const auto&)
+    requires requires {
+      { item.stable_step(dt) } -> std::convertible_to<double>;
+    }
+  {
+    return item.stable_step(dt);
+  }
 };
 struct ApplyLoads {
   struct Decoy {
@@ -172,7 +185,7 @@ constexpr Fault fault() {
   using Part = const std::size_t;
   using Alive = const std::vector<bool>;
   if constexpr (misses<Begin, Item, N>) return Fault::begin;
-  if constexpr (misses<StableStep, Item, double>) return Fault::stable_step;
+  if constexpr (misses<StableStep, Item, double, const N>) return Fault::stable_step;
   if constexpr (misses<ApplyLoads, Item, N, double>) return Fault::apply_loads;
   if constexpr (has<ApplyLoads, Item, N, double>) {
     if constexpr (nearly<Power, Item, const N>) return Fault::power;
@@ -191,7 +204,7 @@ constexpr Fault fault() {
   if constexpr (misses<Warning, const Item>) return Fault::warning;
   if constexpr (requires { typename Item::LoadHistory; })
     if constexpr (!History<typename Item::LoadHistory>) return Fault::history;
-  if constexpr (!(has<Begin, Item, N> || has<StableStep, Item, double> || has<ApplyLoads, Item, N, double> ||
+  if constexpr (!(has<Begin, Item, N> || has<StableStep, Item, double, const N> || has<ApplyLoads, Item, N, double> ||
                   has<Constrain, Item, N, const Step, Ledger> || has<ResolveContact, Item, N, const Step, Ledger> ||
                   has<Remove, Item, Part, Alive>))
     return Fault::no_function;

@@ -118,6 +118,7 @@ struct StableStep {
   double dt = std::numeric_limits<double>::infinity();
   std::size_t element = 0;
   std::size_t part = 0;
+  double of_elements = dt;  ///< before contacts and other items of the scene have lowered it
 };
 
 }  // namespace strike

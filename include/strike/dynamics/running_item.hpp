@@ -71,13 +71,14 @@ struct CheckedItem {
   static_assert(
       fault != item::Fault::no_function,
       "strike: an item of this Scene is neither a Part nor has one of the functions begin(nodes), "
-      "stable_step(dt), apply_loads(nodes, time), constrain(nodes, step, ledger), resolve_contact(nodes, step, "
+      "stable_step(dt, nodes), apply_loads(nodes, time), constrain(nodes, step, ledger), resolve_contact(nodes, step, "
       "ledger) and remove(part, alive); see strike/dynamics/item.hpp.");
   static_assert(fault != item::Fault::begin,
                 "strike: begin of an item is called as begin(nodes), with the nodes of the run: take their type as a "
                 "template parameter.");
-  static_assert(fault != item::Fault::stable_step,
-                "strike: stable_step of an item is called as stable_step(dt) and returns a step.");
+  static_assert(
+      fault != item::Fault::stable_step,
+      "strike: stable_step of an item is called as stable_step(dt, nodes) or stable_step(dt), and returns a step.");
   static_assert(
       fault != item::Fault::apply_loads,
       "strike: an item adds forces in apply_loads(nodes, time), with the nodes of the run: take their type as "

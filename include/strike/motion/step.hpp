@@ -12,6 +12,7 @@ struct Step {
   double time = 0;
   double dt_before = 0;
   double dt = 0;
+  double stable_dt = dt;  ///< of the elements alone, whatever the step factor and what else shortens the step
 
   /// Duration over which a force at `time` acts on the velocities: from the middle of the last step to the middle of
   /// this one.

@@ -1,0 +1,304 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/follow_touch.hpp>
+#include <strike/contact/neighbourhood.hpp>
+#include <strike/contact/rounding.hpp>
+#include <strike/contact/search.hpp>
+#include <strike/contact/target.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/motion/step.hpp>
+#include <strike/tensor/tensor.hpp>
+
+namespace strike::detail {
+
+/// An edge of a surface with its faces; `other` is Target::none at a border.
+struct Edge {
+  std::array<Index, 2> ends{};
+  Index face = 0, other = 0;
+};
+
+/// Borders and crests of a surface, of more than 30 degrees: where others touch it by its edges. Plates fold either
+/// way.
+inline std::vector<Edge> crests(const Target& target, bool two_sided, std::span<const Eigen::Vector3d> x) {
+  std::vector<Edge> edges;
+  const auto normal = [&](Index f) {
+    return normal_at(target.corners(f, x), {0.25, 0.25, 0.25, 0.25}, target.count(f) == 3);
+  };
+  for (Index f = 0; f < target.faces().size(); ++f)
+    for (unsigned k = 0; k < target.count(f); ++k) {
+      const Index other = target.across(f, k), a = target.faces()[f][k],
+                  b = target.faces()[f][(k + 1) % target.count(f)];
+      if (other != Target::none) {
+        if (other < f || std::abs(normal(f).dot(normal(other))) > 0.866) continue;
+        if (!two_sided && normal(f).dot(target.middle(other, x) - x[a]) > 0) continue;  // a dent
+      }
+      edges.push_back({{a, b}, f, other});
+    }
+  return edges;
+}
+
+/// The points of two lines that are nearest to each other, by their places along p and q, and the unit normal of both.
+struct Crossover {
+  double along_p, along_q;
+  Eigen::Vector3d normal;
+  bool parallel;
+
+  Crossover(const std::array<Eigen::Vector3d, 2>& p, const std::array<Eigen::Vector3d, 2>& q) {
+    const Eigen::Vector3d d = p[1] - p[0], e = q[1] - q[0], r = p[0] - q[0], across = cross<double>(d, e);
+    const double dd = d.squaredNorm(), de = d.dot(e), ee = e.squaredNorm(), dr = d.dot(r), er = e.dot(r);
+    const double det = across.squaredNorm();
+    parallel = !(det > 1e-4 * dd * ee);
+    if (parallel) return;
+    along_p = (de * er - ee * dr) / det, along_q = (dd * er - de * dr) / det;
+    normal = (1 / std::sqrt(det)) * across;
+  }
+  /// True between the ends, less a share of the edges; more with a negative one.
+  bool is_within(double share) const { return std::min({along_p, 1 - along_p, along_q, 1 - along_q}) > share; }
+};
+
+/// The crests and borders of two surfaces, or of one and itself, that cross: where no node touches a face.
+template <bool self>
+class EdgeApproach {
+ public:
+  EdgeApproach() = default;
+  /// `depth` is the distance between the middle surfaces of touching plates, 0 of solids [length].
+  EdgeApproach(Target first, Target second, double depth, std::array<bool, 2> two_sided)
+      : targets_{std::move(first), std::move(second)}, depth_(depth), two_sided_(two_sided) {}
+
+  void begin(const ContactNodes& all) {
+    size_ = targets_[1].mean_size(all.x);
+    if (self && two_sided_[1]) start_ = all.x;
+    if (!start_.empty()) neighbourhood_.find(targets_[1], start_, depth_);
+  }
+  /// Other surfaces, after cells have gone. A touch goes on where both of its edges remain.
+  void change(Target first, Target second) {
+    targets_ = {std::move(first), std::move(second)};
+    std::erase_if(touches_, [&](const EdgeTouch& touch) {
+      return !has(targets_[0], touch.ends[0], touch.ends[1]) || !has(targets_[1], touch.ends[2], touch.ends[3]);
+    });
+    if (!start_.empty()) neighbourhood_.find(targets_[1], start_, depth_);
+    margin_ = -1;
+  }
+
+  /// Appends the pairs of the step. `touches(i)` tells whether node i touches a face, as it does where a crossing is
+  /// next to it.
+  template <class Touches>
+  void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, const Touches& touches,
+            Rounding& rounding) {
+    update(all, step.dt);
+    last_.swap(touches_), touches_.clear();
+    const std::size_t first_pair = pairs.size();
+    for (const EdgeTouch& touch : last_) follow(touch, all, step.dt, pairs, rounding);
+    for (std::size_t s = 0; s < crests_[0].size() && !crests_[1].empty(); ++s)
+      for (const Index k : search_.near(s))
+        begin_touch(crests_[0][s], crests_[1][k], all, step.dt, pairs, touches, rounding);
+    for (std::size_t k = 0; k < touches_.size(); ++k) pairs[first_pair + k].stored = &touches_[k].stored;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(targets_[0], targets_[1], touches_, crests_[0], crests_[1], search_, neighbourhood_, margin_, travelled_);
+  }
+
+ private:
+  using Ends = std::array<Eigen::Vector3d, 2>;
+  struct EdgeTouch {
+    std::array<Index, 4> ends{};                       // of the first edge and of the second
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, to the side of the first
+    double stored = 0;                                 // as in Touch [energy]
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(ends, normal, stored);
+    }
+  };
+  static constexpr double overhang = 0.02;  // of an edge, in its length
+
+  static bool has(const Target& target, Index a, Index b) {
+    const auto faces = target.at(a);
+    return std::any_of(faces.begin(), faces.end(), [&](Index f) { return target.has(f, b); });
+  }
+  static Ends ends_of(const std::array<Index, 2>& edge, std::span<const Eigen::Vector3d> x) {
+    return {x[edge[0]], x[edge[1]]};
+  }
+
+  /// Finds crests and which are near, if they may have moved by the margin at the end of the step after this one.
+  void update(const ContactNodes& all, double dt) {
+    double fastest = 0;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    const auto each_end = [&](const auto& g) {
+      for (const auto& edges : crests_)
+        for (const Edge& edge : edges)
+          for (const Index i : edge.ends) g(all.v[i]);
+    };
+    const double ends = 2 * static_cast<double>(crests_[0].size() + crests_[1].size());
+    each_end([&](const Eigen::Vector3d& v) { mean += (1 / ends) * v; });
+    each_end([&](const Eigen::Vector3d& v) { fastest = std::max(fastest, (v - mean).squaredNorm()); });
+    const double reach = 2 * dt * std::sqrt(fastest);
+    if (!(travelled_ + reach <= margin_)) sort(all, std::max(3 * reach, 0.25 * size_));
+    travelled_ += reach;
+  }
+  void sort(const ContactNodes& all, double margin) {
+    double longest = 0;
+    std::vector<Eigen::Vector3d> x = all.x;
+    std::vector<Index> middles;
+    std::vector<FaceCorners> others;
+    for (std::size_t s = 0; s < 2; ++s) crests_[s] = crests(targets_[s], two_sided_[s], all.x);
+    for (const Edge& edge : crests_[0]) {
+      const auto [p, q] = ends_of(edge.ends, all.x);
+      longest = std::max(longest, (q - p).norm());
+      middles.push_back(static_cast<Index>(x.size())), x.push_back(0.5 * (p + q));
+    }
+    for (const auto& [ends, face, other] : crests_[1]) others.push_back({ends[0], ends[1], ends[1], ends[1]});
+    const double apart = search_.sort(middles, others, x, depth_ + 0.5 * longest + margin);
+    margin_ = margin + apart, travelled_ = 0;
+  }
+
+  void follow(EdgeTouch touch, const ContactNodes& all, double dt, std::vector<ContactPair>& pairs,
+              Rounding& rounding) {
+    const Crossover at(ends_of({touch.ends[0], touch.ends[1]}, all.x), ends_of({touch.ends[2], touch.ends[3]}, all.x));
+    if (at.parallel || !at.is_within(-overhang)) {
+      for (const Index end : touch.ends) rounding.add(end);
+      return;
+    }
+    const double side = at.normal.dot(touch.normal) < 0 ? -1 : 1;
+    const ContactPair pair = pair_of(touch.ends, at, side * at.normal, all);
+    if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
+    touch.normal = pair.normal;
+    touches_.push_back(touch), pairs.push_back(pair);
+  }
+  ContactPair pair_of(const std::array<Index, 4>& ends, const Crossover& at, const Eigen::Vector3d& normal,
+                      const ContactNodes& all) const {
+    ContactPair pair(normal, -depth_);
+    const double weights[] = {1 - at.along_p, at.along_p, at.along_q - 1, -at.along_q};
+    for (std::size_t k = 0; k < 4; ++k) {
+      pair.add(ends[k], weights[k]);
+      pair.gap += weights[k] * normal.dot(all.x[ends[k]]);
+    }
+    return pair;
+  }
+
+  template <class Touches>
+  void begin_touch(const Edge& first, const Edge& second, const ContactNodes& all, double dt,
+                   std::vector<ContactPair>& pairs, const Touches& touches, const Rounding& rounding) {
+    const auto& [p, q] = std::pair(first.ends, second.ends);
+    if (self && (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1] || !(p < q))) return;
+    if (self && two_sided_[1] && (neighbourhood_.has(p[0], second.face) || neighbourhood_.has(p[1], second.face)))
+      return;
+    Ends way_p, way_q, back_p, back_q;
+    for (std::size_t k = 0; k < 2; ++k) {
+      way_p[k] = dt * all.v[p[k]], way_q[k] = dt * all.v[q[k]];
+      back_p[k] = all.x[p[k]] - all.x_before[p[k]], back_q[k] = all.x[q[k]] - all.x_before[q[k]];
+    }
+    const Ends P = ends_of(p, all.x), Q = ends_of(q, all.x);
+    if (!may_cross(P, way_p, Q, way_q) && !may_cross(P, back_p, Q, back_q)) return;
+    EdgeTouch touch{{p[0], p[1], q[0], q[1]}};
+    const auto same = [&](const EdgeTouch& other) { return other.ends == touch.ends; };
+    if (std::any_of(touches_.begin(), touches_.end(), same)) return;
+    const bool comes_round = !rounding.is_empty() && std::any_of(touch.ends.begin(), touch.ends.end(),
+                                                                 [&](Index end) { return rounding.has(end); });
+    const double slack = comes_round ? 0.05 * size_ : 0.0;
+    if (!crosses(first, second, P, way_p, Q, way_q, slack, all, touch.normal) &&
+        !crosses(first, second, ends_of(p, all.x_before), back_p, ends_of(q, all.x_before), back_q, 0, all,
+                 touch.normal))
+      return;
+    const Crossover at(P, Q);
+    if (at.parallel || !at.is_within(-0.5)) return;
+    const double near = overhang;
+    if ((at.along_p < near && touches(p[0])) || (at.along_p > 1 - near && touches(p[1])) ||
+        (at.along_q < near && touches(q[0])) || (at.along_q > 1 - near && touches(q[1])))
+      return;
+    if (at.normal.dot(touch.normal) < 0)
+      touch.normal = -at.normal;
+    else
+      touch.normal = at.normal;
+    pairs.push_back(pair_of(touch.ends, at, touch.normal, all));
+    touches_.push_back(touch);
+  }
+  /// False if boxes around both ways stay apart.
+  bool may_cross(const Ends& P, const Ends& U, const Ends& Q, const Ends& V) const {
+    const double margin = depth_ + 1e-6 * size_;
+    for (int c = 0; c < 3; ++c) {
+      const auto [a, b] =
+          std::minmax({P[0](c), P[1](c), P[0](c) + U[0](c), P[1](c) + U[1](c), P[0](c) - U[0](c), P[1](c) - U[1](c)});
+      const auto [l, u] =
+          std::minmax({Q[0](c), Q[1](c), Q[0](c) + V[0](c), Q[1](c) + V[1](c), Q[0](c) - V[0](c), Q[1](c) - V[1](c)});
+      if (b < l - margin || u < a - margin) return false;
+    }
+    return true;
+  }
+
+  /// True if the edges meet from outside between their ends during a motion, and both bodies lie behind the normal.
+  bool crosses(const Edge& first, const Edge& second, const Ends& P, const Ends& U, const Ends& Q, const Ends& V,
+               double slack, const ContactNodes& all, Eigen::Vector3d& normal) const {
+    const double tolerance = 1e-6 * size_;
+    double t = 0;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      const Crossover at({P[0] + t * U[0], P[1] + t * U[1]}, {Q[0] + t * V[0], Q[1] + t * V[1]});
+      if (at.parallel) return false;
+      const double a = at.along_p, b = at.along_q;
+      const Eigen::Vector3d apart =
+          (1 - a) * (P[0] + t * U[0]) + a * (P[1] + t * U[1]) - (1 - b) * (Q[0] + t * V[0]) - b * (Q[1] + t * V[1]);
+      const Eigen::Vector3d way = (1 - a) * U[0] + a * U[1] - (1 - b) * V[0] - b * V[1];
+      if (iteration == 0)
+        normal = side_of(first, second, at.normal, apart, all) * at.normal;
+      else
+        normal = at.normal.dot(normal) < 0 ? Eigen::Vector3d(-at.normal) : at.normal;
+      const double gap = normal.dot(apart) - depth_, rate = -normal.dot(way);
+      const bool is_shallow = iteration == 0 && gap < 0 && gap > -slack;
+      if (is_shallow || std::abs(gap) <= tolerance)
+        return (is_shallow || rate > 0) && at.is_within(1e-6) && is_crest(targets_[1], second, normal, all) &&
+               is_crest(targets_[0], first, -normal, all);
+      if ((iteration == 0 && gap < 0) || !(rate > 0)) return false;
+      t += gap / rate;
+      if (!(t <= 1)) return false;
+      t = std::max(t, 0.0);
+    }
+    return false;
+  }
+  /// 1 if the first edge comes from the side to which the normal points, else -1: by the sides of solids, or where
+  /// plates are.
+  double side_of(const Edge& first, const Edge& second, const Eigen::Vector3d& normal, const Eigen::Vector3d& apart,
+                 const ContactNodes& all) const {
+    if (depth_ > 0) return normal.dot(apart) < 0 ? -1 : 1;
+    return normal.dot(outside(targets_[1], second, all) - outside(targets_[0], first, all)) < 0 ? -1 : 1;
+  }
+  static Eigen::Vector3d outside(const Target& target, const Edge& edge, const ContactNodes& all) {
+    const auto normal = [&](Index f) {
+      return normal_at(target.corners(f, all.x), {0.25, 0.25, 0.25, 0.25}, target.count(f) == 3);
+    };
+    return edge.other == Target::none ? normal(edge.face) : direction(normal(edge.face) + normal(edge.other));
+  }
+  /// True if no face of the edge rises along the normal, but for what bends them.
+  static bool is_crest(const Target& target, const Edge& edge, const Eigen::Vector3d& normal, const ContactNodes& all) {
+    const auto rises = [&](Index f) {
+      const Eigen::Vector3d along = direction(all.x[edge.ends[1]] - all.x[edge.ends[0]]);
+      const Eigen::Vector3d in = target.middle(f, all.x) - all.x[edge.ends[0]];
+      const Eigen::Vector3d inwards = in - along.dot(in) * along;
+      return normal.dot(inwards) > 0.1 * inwards.norm();
+    };
+    return !rises(edge.face) && (edge.other == Target::none || !rises(edge.other));
+  }
+
+  std::array<Target, 2> targets_;
+  double depth_ = 0, size_ = 0;
+  std::array<bool, 2> two_sided_{};
+  std::vector<EdgeTouch> touches_, last_;  // of this step and of the last
+  std::array<std::vector<Edge>, 2> crests_;
+  BucketSearch search_;  // of the crests of the second near the middle of each of the first
+  double margin_ = -1, travelled_ = 0;
+  std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
+  Neighbourhood neighbourhood_;
+};
+
+}  // namespace strike::detail
