@@ -78,7 +78,7 @@ class Approach {
       while (touches_.size() < first + most_touches && begins_touch(s, first, all, step.dt, pairs, rounding)) {
       }
     }
-    for (std::size_t k = 0; k < touches_.size(); ++k) pairs[first_pair + k].stored = &touches_[k].stored;
+    for (std::size_t k = 0; k < touches_.size(); ++k) remember(pairs[first_pair + k], touches_[k]);
   }
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs) {
     Rounding rounding;

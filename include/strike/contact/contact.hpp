@@ -64,11 +64,10 @@ class Contact {
     meeting_->find(all_, step, pairs_);
     all_.gather_forces(nodes, pairs_, step.kick());
     kappa_ = law_.press(pairs_, all_, step);
-    if constexpr (!std::is_same_v<F, Frictionless>)
-      for (const ContactPair& pair : pairs_) rub(pair);
+    step_ = step;
+    if constexpr (!std::is_same_v<F, Frictionless>) rub();
     meeting_->moved(all_, step.dt);
     all_.scatter(nodes, ledger);
-    step_ = step;
     using namespace detail;
     Eigen::Vector3d sum{0, 0, 0};
     for (const Index i : all_.touched())
@@ -139,18 +138,55 @@ class Contact {
   static constexpr bool closes =
       detail::answers<detail::ClosingStep, detail::MeetingOf<P>, const ContactNodes, double, double>;
 
-  /// Friction against the velocity along the surface that the normal impulses have left.
-  void rub(const ContactPair& pair) {
+  /// Friction against the velocity along the surface that the normal impulses have left. Pairs share nodes, so that
+  /// they are corrected forward and backward in turn, each anew from what it has given (projected Gauss-Seidel). They
+  /// begin with their friction in the last step, so that what sticks does not creep; without it if that would add
+  /// energy.
+  void rub() {
     using namespace detail;
-    if (!(pair.impulse > 0)) return;
-    const Eigen::Vector3d v = pair.velocity(all_);
-    const Eigen::Vector3d sliding = v - pair.normal.dot(v) * pair.normal;
-    const double speed = sliding.norm();
-    if (!(speed > 0)) return;
-    const Eigen::Vector3d along = (1 / speed) * sliding;
-    const double inverse_effective_mass = pair.inverse_effective_mass_along(all_, along);
-    if (!(inverse_effective_mass > 0)) return;
-    pair.drag(all_, -friction_.impulse(pair.impulse, speed / inverse_effective_mass) * along);
+    const std::size_t n = pairs_.size();
+    std::vector<Eigen::Vector3d> given(n, Eigen::Vector3d{0, 0, 0}), before(n);  // against the sliding [force time]
+    const auto give = [&](std::size_t p, const Eigen::Vector3d& impulse) {
+      pairs_[p].drag(all_, given[p] - impulse);
+      given[p] = impulse;
+    };
+    const auto correct = [&] {
+      for (int sweep = 0; sweep < 3; ++sweep)
+        for (std::size_t k = 0; k < n; ++k) {
+          const std::size_t p = sweep % 2 == 0 ? k : n - 1 - k;
+          if (!(pairs_[p].impulse > 0)) continue;
+          const Eigen::Vector3d sliding = along(pairs_[p], pairs_[p].velocity(all_));
+          const double speed = sliding.norm();
+          if (!(speed > 0)) continue;
+          const double inverse_effective_mass = pairs_[p].inverse_effective_mass_along(all_, (1 / speed) * sliding);
+          if (inverse_effective_mass > 0)
+            give(p, bounded(pairs_[p], given[p] + (1 / inverse_effective_mass) * sliding));
+        }
+    };
+    for (std::size_t p = 0; p < n; ++p) before[p] = pairs_[p].velocity(all_);
+    for (std::size_t p = 0; p < n; ++p)
+      if (pairs_[p].friction && pairs_[p].impulse > 0)
+        give(p, bounded(pairs_[p], step_.kick() * along(pairs_[p], *pairs_[p].friction)));
+    correct();
+    double work = 0;
+    for (std::size_t p = 0; p < n; ++p) work -= 0.5 * given[p].dot(before[p] + pairs_[p].velocity(all_));
+    if (work > 0) {
+      for (std::size_t p = 0; p < n; ++p) give(p, Eigen::Vector3d{0, 0, 0});
+      correct();
+    }
+    for (std::size_t p = 0; p < n; ++p)
+      if (pairs_[p].friction) *pairs_[p].friction = (1 / step_.kick()) * given[p];
+  }
+  /// The part of a vector along the surface.
+  static Eigen::Vector3d along(const ContactPair& pair, const Eigen::Vector3d& a) {
+    using namespace detail;
+    return a - pair.normal.dot(a) * pair.normal;
+  }
+  /// An impulse that would stop the sliding, as far as the friction gives it.
+  Eigen::Vector3d bounded(const ContactPair& pair, const Eigen::Vector3d& stopping) const {
+    using namespace detail;
+    const double stops = stopping.norm();
+    return stops > 0 ? Eigen::Vector3d((friction_.impulse(pair.impulse, stops) / stops) * stopping) : stopping;
   }
 
   std::vector<std::pair<Index, Eigen::Vector3d>> forces() const {

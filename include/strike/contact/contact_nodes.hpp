@@ -177,15 +177,16 @@ struct ContactPair {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit vector
   double gap = 0;                                    ///< less what is tolerated; negative inside [length]
   double stiffness = 0;                              ///< of the spring of a penalty law [force/length]
-  double* stored = nullptr;           ///< energy that the law has taken during this touch and not given back [energy]
-  double inverse_effective_mass = 0;  ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
-  double impulse = 0;                 ///< normal impulse of this step [force time]
+  double* stored = nullptr;             ///< of the law, kept while the touch lasts: energy taken and not given back
+  Eigen::Vector3d* friction = nullptr;  ///< in the last step, against the sliding, if it is kept [force]
+  double inverse_effective_mass = 0;    ///< 1/m* along the normal; 0 if all its nodes are held [1/mass]
+  double impulse = 0;                   ///< normal impulse of this step [force time]
 
   ContactPair() = default;
   ContactPair(const Eigen::Vector3d& normal_of_pair, double gap_of_pair) : normal(normal_of_pair), gap(gap_of_pair) {}
   void add(Index node, double weight) { nodes[count] = node, weights[count] = weight, ++count; }
 
-  /// All members but `stored`, which the next step sets.
+  /// All members but `stored` and `friction`, which the next step sets.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(nodes, weights, count, normal, gap, stiffness, inverse_effective_mass, impulse);

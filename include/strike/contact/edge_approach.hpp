@@ -102,7 +102,7 @@ class EdgeApproach {
     for (std::size_t s = 0; s < crests_[0].size() && !crests_[1].empty(); ++s)
       for (const Index k : search_.near(s))
         begin_touch(crests_[0][s], crests_[1][k], all, step.dt, pairs, touches, rounding);
-    for (std::size_t k = 0; k < touches_.size(); ++k) pairs[first_pair + k].stored = &touches_[k].stored;
+    for (std::size_t k = 0; k < touches_.size(); ++k) remember(pairs[first_pair + k], touches_[k]);
   }
 
   template <class Archive>
@@ -116,10 +116,11 @@ class EdgeApproach {
     std::array<Index, 4> ends{};                       // of the first edge and of the second
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, to the side of the first
     double stored = 0;                                 // as in Touch [energy]
+    Eigen::Vector3d friction = Eigen::Vector3d::Zero();
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(ends, normal, stored);
+      archive(ends, normal, stored, friction);
     }
   };
   static constexpr double overhang = 0.02;  // of an edge, in its length

@@ -26,24 +26,47 @@ inline double stable_step_with_contact(double dt, double kappa) {
 /// Impulses that bring nodes to the surface at the end of the step: inelastic impacts of m*, without a stiffness or a
 /// smaller step, at any speed. Pairs that share nodes are corrected one after the other, forward and backward in turn,
 /// each with the velocities that the others have left; an impulse that they make needless is taken back (projected
-/// Gauss-Seidel). A node that is inside, because its neighbours moved its face, leaves no faster than it came in: no
-/// impulse adds energy.
+/// Gauss-Seidel). Touches begin with their force in the last step, so that what rests comes to rest. A node that is
+/// inside, because its neighbours moved its face, leaves no faster than it came in: no impulse adds energy.
 struct Kinematic {
-  int sweeps = 3;  ///< number of corrections of every pair in a step, the last of which takes nothing back
+  int sweeps = 3;  ///< number of corrections of every pair in a step
 
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step) const {
-    std::vector<double> wanted(pairs.size());
-    const auto correct = [&](std::size_t p, int sweep) {
-      ContactPair& pair = pairs[p];
-      const double approach = pair.normal.dot(pair.velocity(nodes));
-      if (sweep == 0) wanted[p] = std::min(-pair.gap / step.dt, std::max(0.0, -approach));
-      const bool takes_back = sweep + 1 < sweeps;
-      if (pair.inverse_effective_mass > 0 && (approach < wanted[p] || (takes_back && pair.impulse > 0)))
-        pair.push(nodes, std::max(-pair.impulse, (wanted[p] - approach) / pair.inverse_effective_mass));
-    };
-    for (int sweep = 0; sweep < sweeps; ++sweep)
-      for (std::size_t k = 0; k < pairs.size(); ++k) correct(sweep % 2 == 0 ? k : pairs.size() - 1 - k, sweep);
+    std::vector<double> approach(pairs.size());  // before all impulses
+    for (std::size_t p = 0; p < pairs.size(); ++p) approach[p] = pairs[p].normal.dot(pairs[p].velocity(nodes));
+    for (ContactPair& pair : pairs)
+      if (pair.inverse_effective_mass > 0 && *pair.stored > 0) pair.push(nodes, *pair.stored * step.kick());
+    correct(pairs, approach, nodes, step, true);
+    if (work(pairs, approach, nodes) > 0) {  // the guess was wrong: without it no impulse adds energy
+      for (ContactPair& pair : pairs) pair.push(nodes, -pair.impulse);
+      correct(pairs, approach, nodes, step, false);
+    }
+    for (ContactPair& pair : pairs) *pair.stored = pair.impulse / step.kick();
     return 0;
+  }
+
+ private:
+  /// Without a guess the last sweep takes nothing back, so that it leaves no depth.
+  void correct(std::vector<ContactPair>& pairs, const std::vector<double>& before, ContactNodes& nodes,
+               const Step& step, bool guessed) const {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const std::size_t p = sweep % 2 == 0 ? k : pairs.size() - 1 - k;
+        ContactPair& pair = pairs[p];
+        const double now = pair.normal.dot(pair.velocity(nodes));
+        const double wanted = std::min(-pair.gap / step.dt, std::max(0.0, -before[p]));
+        const bool takes_back = pair.impulse > 0 && (guessed || sweep + 1 < sweeps);
+        if (pair.inverse_effective_mass > 0 && (now < wanted || takes_back))
+          pair.push(nodes, std::max(-pair.impulse, (wanted - now) / pair.inverse_effective_mass));
+      }
+  }
+  /// The energy that impulses J have added: the sum of J (v- + v+)/2.
+  static double work(const std::vector<ContactPair>& pairs, const std::vector<double>& before,
+                     const ContactNodes& nodes) {
+    double sum = 0;
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      sum += 0.5 * pairs[p].impulse * (before[p] + pairs[p].normal.dot(pairs[p].velocity(nodes)));
+    return sum;
   }
 };
 

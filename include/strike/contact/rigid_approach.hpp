@@ -45,11 +45,11 @@ class RigidApproach {
       const double gap = height + touch.initial_depth;
       check_depth(all.number(i), all.x[i], -gap, cells_[s]);
       if (gap > 0 && (gap + step.dt * normal.dot(all.v[i]) >= 0 || !meets(all.x[i], gap, step.dt * all.v[i]))) {
-        touch.stored = 0;
+        touch.stored = 0, touch.friction.setZero();
         continue;
       }
       pairs.emplace_back(normal, gap);
-      pairs.back().add(i, 1), pairs.back().stored = &touch.stored;
+      pairs.back().add(i, 1), remember(pairs.back(), touch);
     }
   }
   void moved(const ContactNodes&, double) {}
@@ -89,10 +89,11 @@ class RigidApproach {
   /// taken and not given back.
   struct RigidTouch {
     double initial_depth = 0, stored = 0;
+    Eigen::Vector3d friction = Eigen::Vector3d::Zero();
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(initial_depth, stored);
+      archive(initial_depth, stored, friction);
     }
   };
 

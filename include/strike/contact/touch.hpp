@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/contact/contact_nodes.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
@@ -15,15 +16,19 @@ namespace strike::detail {
 struct Touch {
   Index node = 0;  ///< its place in the list of nodes
   Index face = 0;
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, to the side of the node: no order of corners turns it
-  double initial_depth = 0;                          ///< initial penetration, tolerated without force [length]
-  double stored = 0;                                 ///< energy that the law has taken and not given back [energy]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, to the side of the node: no order of corners turns it
+  double initial_depth = 0;                            ///< initial penetration, tolerated without force [length]
+  double stored = 0;                                   ///< of the law, such as the energy that it has taken [energy]
+  Eigen::Vector3d friction = Eigen::Vector3d::Zero();  ///< in the last step [force]
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(node, face, normal, initial_depth, stored);
+    archive(node, face, normal, initial_depth, stored, friction);
   }
 };
+
+/// Gives a pair what its touch remembers.
+void remember(ContactPair& pair, auto& touch) { pair.stored = &touch.stored, pair.friction = &touch.friction; }
 
 /// Error: a node that has come deeper into what it touches than a cell is large, by which no law means to hold it.
 inline void check_depth(Index number, const Eigen::Vector3d& x, double depth, double cell) {

@@ -13,7 +13,8 @@ namespace strike {
 //
 // Requirements.
 //  1. Running                                        the damping at work, constructed from the model, with
-//     passes_peak(kinetic, internal) -> bool         asked before each step: true if all nodes are to stop
+//     passes_peak(kinetic, internal) -> bool         asked before each step, with the energy m v-.v+/2 that the step
+//                                                    would give: true if all nodes are to stop
 //     restarts() -> bool                             the nodes start from rest in this step
 //     is_at_rest() -> bool                           the run is to end
 //     serialize(archive)                             its memory
@@ -39,7 +40,8 @@ struct NoDamping {
 
 /// Statics by dynamic relaxation with kinetic damping (Cundall 1976; Topping and Khan 1994): whenever the kinetic
 /// energy has passed a peak, all nodes stop, and the run goes on from where they are, until what still swings is small.
-/// Loads should be constant, materials elastic or loaded monotonically; times mean nothing.
+/// Loads should be constant, materials elastic or loaded monotonically, hourglass control StiffnessHourglass, for a
+/// viscous one flows; times mean nothing.
 ///   Explicit run{scene, {}, DynamicRelaxation{}};
 ///   run.until(at_rest);
 struct DynamicRelaxation {

@@ -43,6 +43,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   using typename RunningScene::RunningItems;
   template <class Item>
   static constexpr bool is_running_part = detail::is_running_part<std::remove_cvref_t<Item>>;
+  static constexpr bool damps = !std::is_same_v<typename Method::Damping, NoDamping>;
 
  public:
   using typename RunningScene::Nodes;
@@ -117,6 +118,13 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   std::vector<std::string> warnings() const {
     std::vector<std::string> all = RunningScene::warnings();
     cycle_.add_warnings(this->items_, all);
+    if constexpr (damps)
+      this->each_part([&](const auto& part) {
+        if constexpr (flows<typename std::remove_cvref_t<decltype(part)>::Element>())
+          all.push_back(detail::joined({"the viscous hourglass control of part ", std::to_string(part.number()),
+                                        " flows under a constant load, so that it may never come to rest; take "
+                                        "StiffnessHourglass for a relaxation."}));
+      });
     return all;
   }
   /// The energies at the last time at which both neighbouring velocities are known, one step back; with Subcycling at
@@ -182,11 +190,14 @@ class Explicit : public detail::RunningScene<Method, Items...> {
 
   /// Stops all nodes where the damping says so; they go on as at the start, under half a kick.
   void damp() {
-    if (!damping_.passes_peak(ledger_.kinetic, ledger_.internal.settled())) return;
-    ledger_.damping.book(detail::kinetic_energy(this->nodes_) +
-                         0.5 * step_.kick() * detail::force_power(this->nodes_));  // m v-.v+/2 had they gone on
-    detail::stop(this->nodes_);
-    step_.dt_before = 0;
+    if constexpr (damps) {
+      const double kinetic = detail::kinetic_energy(this->nodes_) +
+                             0.5 * step_.kick() * detail::force_power(this->nodes_);  // m v-.v+/2 if they go on
+      if (!damping_.passes_peak(kinetic, ledger_.internal.settled())) return;
+      ledger_.damping.book(kinetic);
+      detail::stop(this->nodes_);
+      step_.dt_before = 0;
+    }
   }
 
   void kick() { ledger_.kinetic = detail::kick(this->nodes_, step_.kick(), execution_, kinetic_); }

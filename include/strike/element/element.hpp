@@ -21,6 +21,14 @@ constexpr bool turns_nodes() {
   else
     return false;
 }
+/// The element gives way to a constant load for ever, for a part of its resistance is viscous.
+template <class E>
+constexpr bool flows() {
+  if constexpr (requires { E::flows; })
+    return E::flows;
+  else
+    return false;
+}
 /// Number of the vectors that tell the motion of an element: the velocities of its nodes, and if these turn their
 /// angular velocities behind them. As many tell its forces, and moments.
 template <class E>
@@ -68,6 +76,7 @@ struct PointVisitor {
 /// 8. `averages_volume`: true where the driver averages volumes over nodes; then also `volume(x)`, `advance(state,
 ///    material, x, v, nodal_volume, dt)` and `State::relative_volume` (strike/element/tet4.hpp).
 /// 9. `resistance(state, material, x, v, dt)`: of a small motion, for GlobalStep (strike/element/hex8_resistance.hpp).
+/// 10. `flows`: true where it gives way to a constant load for ever, of which a relaxation warns.
 /// Laws (tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
 /// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
 /// and creates no energy; in a step without time, dt = 0, no work is done. Models: Hex8, Hex8Full, Tet4, Plate4,

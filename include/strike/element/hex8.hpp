@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hex8_resistance.hpp>
@@ -43,6 +45,7 @@ struct Hex8 {
 
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 8;
+  static constexpr bool flows = std::is_same_v<Hourglass, ViscousHourglass>;
 
   template <class M, class T>
   struct State {
