@@ -47,17 +47,22 @@ class FirstTouch {
   void consider(Index f) {
     if (self && faces_.target.has(f, i_)) return;
     const Corners X = faces_.target.corners(f, all_.x);
-    const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
-    const double area2 = area.squaredNorm(), warp2 = warp_of(f, X).squaredNorm();
-    const double height = (all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3])).dot(area);
-    const auto is_within = [&](double reach) { return height * height <= 2 * (reach * reach + warp2) * area2; };
+    const Eigen::Vector3d diagonals[] = {X[2] - X[0], X[3] - X[1]}, area = cross<double>(diagonals[0], diagonals[1]),
+                          from = all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3]);
+    const double area2 = area.squaredNorm(), warp2 = 0.0625 * (X[0] - X[1] + X[2] - X[3]).squaredNorm(),
+                 height = from.dot(area), near = faces_.depth + reach_.slack + farthest_;
+    const bool is_triangle = faces_.target.count(f) == 3;
+    const auto is_within = [&](double reach) {
+      return height * height <= 2 * (reach * reach + (is_triangle ? 0 : warp2)) * area2;
+    };
     // Cheap, and most candidates end here: out of reach, or a face that goes on from one that the node touches.
-    if (!is_within(faces_.depth + reach_.slack + farthest_)) return;
+    const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm());
+    if (from.squaredNorm() > 3 * (half2 + warp2 + near * near) || !is_within(near)) return;
     for (const Touch& touch : touches_) {
       const double cosine = touch.normal.dot(area);
       if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.are_connected(f, touch.face))) return;
     }
-    const bool is_at = reach_.two_sided || is_within(faces_.depth + reach_.slack + reach_.tolerance);
+    const bool is_at = is_within(faces_.depth + reach_.slack + reach_.tolerance);
     const bool is_outside = reach_.two_sided || height > 0;
     if (is_outside || is_at) {
       if (const Crossing next = in_step(f, X); next.happens()) return meet(f, next, next.when);
@@ -80,9 +85,6 @@ class FirstTouch {
     double when = 2;  // in steps, from now
   };
 
-  Eigen::Vector3d warp_of(Index f, const Corners& X) const {
-    return faces_.target.count(f) == 3 ? Eigen::Vector3d{0, 0, 0} : Eigen::Vector3d(0.25 * (X[0] - X[1] + X[2] - X[3]));
-  }
   Crossing in_step(Index f, const Corners& X) const {
     Motion motion{X, {}, all_.x[i_], way_, faces_.target.count(f) == 3};
     for (unsigned k = 0; k < 4; ++k) motion.way_of_corners[k] = dt_ * all_.v[faces_.target.faces()[f][k]];

@@ -96,16 +96,20 @@ class FollowedTouch {
   /// The nearest foot, from face to face as long as one around is nearer.
   template <class Admits>
   Foot nearest_from(Foot best, const Admits& admits) const {
-    // Where the foot is inside its face and near, none around is nearer.
-    while (best.point.where != ClosestPoint::inside || best.point.distance2 > 1e-4 * faces_.size * faces_.size) {
-      const Index from = best.face;
+    for (Index from = Target::none; best.face != from;) {
+      from = best.face;
       faces_.each_around(from, [&](Index f) {
-        if (!admits(f)) return;
+        if (f == from || !may_be_nearer(f, best) || !admits(f)) return;
         if (const Foot foot = faces_.foot(f, all_, i_); foot.point.distance2 < best.point.distance2) best = foot;
       });
-      if (best.face == from) break;
     }
     return best;
+  }
+  /// False if all corners of a face, and so their hull, in which it lies, are beyond the plane through a foot.
+  bool may_be_nearer(Index f, const Foot& foot) const {
+    for (const Index corner : faces_.target.faces()[f])
+      if (foot.point.away.dot(all_.x[i_] - all_.x[corner]) < foot.point.distance2) return true;
+    return false;
   }
 
   /// Calls g(f, foot) for other faces near that go on in the plane of the present one: those of another part, at a
