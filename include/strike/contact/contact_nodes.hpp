@@ -183,7 +183,8 @@ struct ContactPair {
   double impulse = 0;                   ///< normal impulse of this step [force time]
 
   ContactPair() = default;
-  ContactPair(const Eigen::Vector3d& normal_of_pair, double gap_of_pair) : normal(normal_of_pair), gap(gap_of_pair) {}
+  ContactPair(Eigen::Vector3d normal_of_pair, double gap_of_pair)
+      : normal(std::move(normal_of_pair)), gap(gap_of_pair) {}
   void add(Index node, double weight) { nodes[count] = node, weights[count] = weight, ++count; }
 
   /// All members but `stored` and `friction`, which the next step sets.

@@ -26,7 +26,7 @@ inline std::vector<double> spacing(std::span<const Eigen::Vector3d> points) {
   double longest = 0, volume = 1;
   for (int c = 0; c < 3; ++c) longest = std::max(longest, upper(c) - lower(c));
   if (!(longest > 0)) return nearest;
-  const double n = static_cast<double>(points.size());
+  const auto n = static_cast<double>(points.size());
   for (int c = 0; c < 3; ++c) volume *= std::max((upper(c) - lower(c)) / longest, 1 / n);
   const double edge = 2 * longest * std::cbrt(volume / n);
 

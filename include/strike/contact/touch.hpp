@@ -33,9 +33,10 @@ void remember(ContactPair& pair, auto& touch) { pair.stored = &touch.stored, pai
 /// Error: a node that has come deeper into what it touches than a cell is large, by which no law means to hold it.
 inline void check_depth(Index number, const Eigen::Vector3d& x, double depth, double cell) {
   if (!(depth > cell)) return;
-  throw Error(joined({"strike: node ", std::to_string(number), " at ", text(x), " has come ", text(depth),
-                      " deep into what it touches, more than a cell: the springs of a Penalty are too soft at this "
-                      "speed; take Kinematic, or a greater fraction or stiffness."}));
+  constexpr const char* advice =
+      " deep into what it touches, more than a cell: the springs of a Penalty are too soft at this speed; take "
+      "Kinematic, or a greater fraction or stiffness.";
+  throw Error(joined({"strike: node ", std::to_string(number), " at ", text(x), " has come ", text(depth), advice}));
 }
 
 /// Count of the nodes that start inside, and the deepest of them.
