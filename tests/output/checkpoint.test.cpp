@@ -125,6 +125,25 @@ TEST_CASE("checkpoint: a bar in mixed precision under the step of the mesh goes 
   CHECK(run.step_bound().estimates() > 1);
 }
 
+TEST_CASE("checkpoint: cubes that touch by nodes and by edges, in the middle of touches, go on to the bit") {
+  const auto make = [](const auto& law) {
+    Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
+    const Mesh upper = rotated(box({.lower = {0.2, 0.1, 1.01}, .size = {1, 1, 1}, .cells = {2, 2, 2}}), {0, 0, 1}, 0.3);
+    append(mesh, upper);
+    const Cells<8> one(mesh.hexahedra.begin(), mesh.hexahedra.begin() + 1),
+        other(mesh.hexahedra.begin() + 1, mesh.hexahedra.end());
+    const std::vector<Index> falling = nodes_where(mesh.nodes, [](const auto& x) { return x.z() > 1.005; });
+    return Explicit{
+        Scene{mesh.nodes, Part{Hex8{}, Elastic{1, 1000, 0.3}, mesh.hexahedra}, InitialVelocity{{0.5, 0.2, -1}, falling},
+              Contact{TwoWay{Surface{hexahedron_surface(one)}, Surface{hexahedron_surface(other)}}, law, Coulomb{0.3}}},
+        ExplicitOptions{.step_factor = 0.3, .energy_tolerance = 1}};
+  };
+  const auto run = goes_on_to_the_bit([&] { return make(Kinematic{}); }, 0.6);
+  CHECK(run.item<2>().impulse().norm() > 0.1);
+  CHECK(run.energy().friction > 0);
+  goes_on_to_the_bit([&] { return make(Penalty{}); }, 0.6);
+}
+
 TEST_CASE("checkpoint: an archive takes numbers, lists, tuples and what serializes itself") {
   const ScratchFolder folder("checkpoint");
   double number = 0.1;
