@@ -112,15 +112,26 @@ TEST_CASE("springs answer alike with any step factor") {
   for (const double factor : {0.45, 0.1}) CHECK(strike_with(factor) == Approx(expected).epsilon(0.02));
 }
 
-TEST_CASE("the spacing of points is the distance to the nearest that is elsewhere") {
-  std::vector<Eigen::Vector3d> points = box({.size = {2, 3, 4}, .cells = {2, 3, 4}}).nodes;
-  points.push_back(points[0]);             // in the same place
-  points.push_back({0.25, 0.0, 0.0});      // near the first
-  points.push_back({0.25, -2000.0, 0.0});  // alone
+TEST_CASE("the spacing of points is the distance to the nearest, but for bodies that nearly touch") {
+  std::vector<Eigen::Vector3d> points = box({.size = {20, 3, 40}, .cells = {20, 3, 40}}).nodes;
+  const std::size_t n = points.size();
+  points.push_back(points[0]);           // in the same place
+  points.push_back({0.25, 0.0, 0.0});    // near the first
+  points.push_back({20, 3, 40 + 1e-9});  // of a body that nearly touches
+  points.push_back({0.25, -2e9, 0.0});   // far from all
   const auto distance = detail::spacing(points);
   CHECK(distance[0] == Approx(0.25));
-  CHECK(distance[points.size() - 3] == Approx(0.25));
-  CHECK(distance[points.size() - 4] == Approx(1));
-  CHECK(distance.back() < 2000);
+  CHECK(distance[n / 2] == Approx(1));
+  CHECK(distance[n] == Approx(0.25));
+  CHECK(distance[n + 1] == Approx(0.25));
+  CHECK(distance[n + 2] == Approx(0.1));
+  CHECK(distance[n + 3] == Approx(2e9));
   CHECK(detail::spacing(std::vector<Eigen::Vector3d>{{1, 2, 3}})[0] > 1e300);
+  CHECK(detail::spacing({}).empty());
+  for (Index i = 0; i < n; i += 97) {  // against all pairs
+    double least = 1e300;
+    for (std::size_t j = 0; j < points.size(); ++j)
+      if (const double apart = (points[j] - points[i]).norm(); apart > 0) least = std::min(least, apart);
+    CHECK(distance[i] == Approx(std::max(least, 0.1)));
+  }
 }

@@ -109,6 +109,7 @@ class Approach {
         double cell = faces_.size;
         for (unsigned k = 0; k < faces_.target.count(f); ++k)
           cell = std::min(cell, (motion.X[(k + 1) % faces_.target.count(f)] - motion.X[k]).norm());
+        cell = std::max(cell, 0.1 * faces_.size);  // where an edge has collapsed
         step = std::min(step, detail::closing_step(meeting.when * meeting.rate, meeting.rate / dt, cell));
       }
     }
@@ -147,7 +148,7 @@ class Approach {
     const double height = place->height - faces_.depth;
     touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
     const ContactPair pair = faces_.pair(i, *place, height + touch.initial_depth);
-    check_depth(all.number(i), all.x[i], -pair.gap, faces_.size);
+    check_depth(all.number(i), all.x[i], -pair.gap, std::max(faces_.size, faces_.depth));
     if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
     touch.face = place->face;
     touch.normal = touch_normal(*place, all);
