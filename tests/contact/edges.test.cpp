@@ -128,6 +128,17 @@ TEST_CASE("ridges that cross stop each other, and fly past where they do not") {
   check(Penalty{});
 }
 
+TEST_CASE("the edge of a thin blade meets a ridge that crosses it") {
+  Mesh blade = box({.lower = {-0.5, -2, -1}, .size = {1, 4, 1}, .cells = {1, 4, 1}});
+  for (auto& x : blade.nodes) x.x() *= x.z() > -0.5 ? 1e-3 : 0.1;
+  const Mesh bar = translated(
+      rotated(box({.lower = {-2, -0.5, -0.5}, .size = {4, 1, 1}, .cells = {4, 1, 1}}), {1, 0, 0}, std::numbers::pi / 4),
+      {0.3, 0.1, 0.8});
+  const Fall hit(blade, bar, 1.0, Kinematic{});
+  CHECK(hit.momentum < 1e-11);
+  CHECK(hit.lower < -0.75);  // the light blade, whose centre was at -0.5, is pushed on
+}
+
 TEST_CASE("plates that meet edge on edge do so at their thickness, whatever the order of their corners") {
   // In the planes xz and yz: the edges cross as an X, 0.12 apart, at the thickness 0.1.
   for (const unsigned flips : {0u, 1u, 2u, 3u})

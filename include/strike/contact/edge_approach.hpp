@@ -39,7 +39,7 @@ inline std::vector<Edge> crests(const Target& target, bool two_sided, std::span<
       const Index other = target.across(f, k), a = target.faces()[f][k],
                   b = target.faces()[f][(k + 1) % target.count(f)];
       if (other != Target::none) {
-        if (other < f || std::abs(normal(f).dot(normal(other))) > 0.866) continue;
+        if (other < f || normal(f).dot(normal(other)) > 0.866) continue;
         if (!two_sided && normal(f).dot(target.middle(other, x) - x[a]) > 0) continue;  // a dent
       }
       edges.push_back({{a, b}, f, other});
@@ -215,14 +215,10 @@ class EdgeApproach {
       return;
     const Crossover at(P, Q);
     if (at.parallel || !at.is_within(-0.5)) return;
-    const double near = overhang;
-    if ((at.along_p < near && touches(p[0])) || (at.along_p > 1 - near && touches(p[1])) ||
-        (at.along_q < near && touches(q[0])) || (at.along_q > 1 - near && touches(q[1])))
+    if ((at.along_p < overhang && touches(p[0])) || (at.along_p > 1 - overhang && touches(p[1])) ||
+        (at.along_q < overhang && touches(q[0])) || (at.along_q > 1 - overhang && touches(q[1])))
       return;
-    if (at.normal.dot(touch.normal) < 0)
-      touch.normal = -at.normal;
-    else
-      touch.normal = at.normal;
+    touch.normal = at.normal.dot(touch.normal) < 0 ? Eigen::Vector3d(-at.normal) : at.normal;
     pairs.push_back(pair_of(touch.ends, at, touch.normal, all));
     touches_.push_back(touch);
   }

@@ -133,15 +133,14 @@ class FollowedTouch {
   /// True on a border or a crest.
   bool is_at_end(const Foot& foot) const {
     const Target& target = faces_.target;
-    const unsigned corners = target.count(foot.face);
     if (foot.point.where == ClosestPoint::inside) return false;
     if (foot.point.where == ClosestPoint::on_edge) return ends(foot.face, foot.point.which);
     const Index corner = target.faces()[foot.face][foot.point.which];
     for (const Index face : target.at(corner)) {
       if (!goes_on(touch_.normal, faces_.normal(face, all_))) return true;
-      for (unsigned k = 0; k < target.count(face); ++k)
-        if (target.faces()[face][k] == corner && (ends(face, k) || ends(face, (k + corners - 1) % corners)))
-          return true;
+      const unsigned n = target.count(face);
+      for (unsigned k = 0; k < n; ++k)
+        if (target.faces()[face][k] == corner && (ends(face, k) || ends(face, (k + n - 1) % n))) return true;
     }
     return false;
   }
