@@ -1,4 +1,4 @@
-// What lies on something comes to rest on it, and stays or slides by Coulomb.
+// Bodies that lie on others come to rest, and stay or slide by Coulomb.
 #include <algorithm>
 #include <cmath>
 #include <vector>

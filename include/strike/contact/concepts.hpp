@@ -175,7 +175,7 @@ concept RigidBody = std::copyable<B> && requires(const B body, const Eigen::Vect
 ///    in the scene; elements[p] is the number of elements of part p.
 ///
 /// 8. `closing_step(nodes, moved, dt)`, optional: a step of at most dt in which nothing that comes to touch closes
-///    by more than its gap and 7 % of a cell, when the nodes have moved for the time `moved` at their velocities.
+///    by more than its gap and a tenth of a cell, when the nodes have moved for the time `moved` at their velocities.
 ///
 /// Laws that no compiler checks: `pair.stored` stays the same number as long as a touch lasts, and begins at 0.
 ///

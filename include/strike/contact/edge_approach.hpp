@@ -31,9 +31,7 @@ struct Edge {
 /// way.
 inline std::vector<Edge> crests(const Target& target, bool two_sided, std::span<const Eigen::Vector3d> x) {
   std::vector<Edge> edges;
-  const auto normal = [&](Index f) {
-    return normal_at(target.corners(f, x), {0.25, 0.25, 0.25, 0.25}, target.count(f) == 3);
-  };
+  const auto normal = [&](Index f) { return target.normal(f, x); };
   for (Index f = 0; f < target.faces().size(); ++f)
     for (unsigned k = 0; k < target.count(f); ++k) {
       const Index other = target.across(f, k), a = target.faces()[f][k],
@@ -271,9 +269,7 @@ class EdgeApproach {
     return normal.dot(outside(targets_[1], second, all) - outside(targets_[0], first, all)) < 0 ? -1 : 1;
   }
   static Eigen::Vector3d outside(const Target& target, const Edge& edge, const ContactNodes& all) {
-    const auto normal = [&](Index f) {
-      return normal_at(target.corners(f, all.x), {0.25, 0.25, 0.25, 0.25}, target.count(f) == 3);
-    };
+    const auto normal = [&](Index f) { return target.normal(f, all.x); };
     return edge.other == Target::none ? normal(edge.face) : direction(normal(edge.face) + normal(edge.other));
   }
   /// True if no face of the edge rises along the normal, but for what bends them.

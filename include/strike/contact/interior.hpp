@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -107,7 +106,7 @@ class Interior {
 
   /// The pieces that a node is inside of, by the turns of their faces around its ray.
   std::vector<Index> pieces_around(Index node) const {
-    std::vector<Index> own, left, inside;
+    std::vector<Index> own, inside;
     for (const Index f : target_.at(node)) own.push_back(piece_[f]);
     const Plane at = across_ray(x_[node]);
     const auto [i, j] = column_of(at);

@@ -72,7 +72,7 @@ struct Kinematic {
 
 /// Springs k against the depth at the time n. Without a `stiffness`, k = fraction m*/dt^2 with the stable step dt of
 /// the elements, whatever shortens the step of the run, scaled so that kappa_I dt^2 <= fraction with kappa_I = sum of k
-/// (1 + sum of N_J) N_I/m_I over the pairs of node I, a bound of the highest frequency (Gershgorin): the step stays
+/// |w_I| (sum of |w_J|)/m_I over the pairs of node I, a bound of the highest frequency (Gershgorin): the step stays
 /// nearly that of the elements. With one, the step becomes as small as it needs. No spring gives back more energy than
 /// it took.
 struct Penalty {

@@ -77,6 +77,10 @@ class Target {
     const auto& c = faces_[face];
     return {x[c[0]], x[c[1]], x[c[2]], x[c[3]]};
   }
+  /// The unit normal of a face in its middle.
+  Eigen::Vector3d normal(Index face, std::span<const Eigen::Vector3d> x) const {
+    return normal_at(corners(face, x), {0.25, 0.25, 0.25, 0.25}, count(face) == 3);
+  }
   /// Positions after a time t at velocities v.
   Corners corners(Index face, std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> v, double t) const {
     Corners X = corners(face, x);

@@ -45,7 +45,7 @@ struct TouchedFaces {
     return normal_at(target.corners(f, all.x), N, target.count(f) == 3);
   }
   /// The normal of face f in its middle.
-  Eigen::Vector3d normal(Index f, const ContactNodes& all) const { return normal(f, {0.25, 0.25, 0.25, 0.25}, all); }
+  Eigen::Vector3d normal(Index f, const ContactNodes& all) const { return target.normal(f, all.x); }
   /// From a point of the face, by its shape functions, to node i [length].
   Eigen::Vector3d way_to(Index i, Index f, const std::array<double, 4>& N, const ContactNodes& all) const {
     Eigen::Vector3d way = all.x[i];
