@@ -202,9 +202,9 @@ TEST_CASE("plates that hang together within a thickness are neighbours, those be
     }
   std::vector<detail::FaceCorners> faces;
   for (Index k = 0; k < 23; ++k) faces.push_back({2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1});
-  const detail::Target target(faces, mesh.nodes.size());
+  const detail::Target target(faces, mesh.nodes.size(), std::vector<double>(faces.size(), h));
   detail::Neighbourhood neighbourhood;
-  neighbourhood.find(target, mesh.nodes, h);
+  neighbourhood.find(target, mesh.nodes);
   CHECK(neighbourhood.has(0, 0));    // its own
   CHECK(!neighbourhood.has(0, 1));   // of the same leg, farther than a thickness
   CHECK(!neighbourhood.has(0, 22));  // of the other leg, straight above

@@ -29,22 +29,22 @@ template <bool self>
 class Approach {
  public:
   Approach() = default;
-  /// `depth` is the distance between the middle surfaces of touching plates, 0 of solids [length]; plates are
-  /// two-sided.
-  Approach(std::vector<Index> nodes, Target target, double depth, bool two_sided)
-      : nodes_(std::move(nodes)), faces_{std::move(target), depth, two_sided} {}
+  /// `half` is half the thickness of the plates of every ContactNode, 0 of solids [length].
+  Approach(std::vector<Index> nodes, Target target, std::vector<double> half)
+      : nodes_(std::move(nodes)), faces_{std::move(target), std::move(half)} {}
 
   /// Nodes that start inside keep their initial depth without force until they separate.
   void begin(const ContactNodes& all, InitialPenetration& inside) {
     faces_.size = faces_.target.mean_size(all.x);
     if constexpr (self) {
-      if (faces_.two_sided) start_ = all.x, neighbourhood_.find(faces_.target, start_, faces_.depth);
+      if (faces_.target.largest_half() > 0) start_ = all.x, neighbourhood_.find(faces_.target, start_);
     }
-    near_.sort(all, nodes_, faces_.target, faces_.depth, 0.5 * faces_.size);
+    depth_ = faces_.largest_depth();
+    near_.sort(all, nodes_, faces_.target, depth_, 0.5 * faces_.size);
     find_initial_depths(all, inside);
   }
   /// Other nodes and faces, both in ascending order of their numbers, after cells have gone. A touch goes on where its
-  /// node and its face remain.
+  /// node and its face remain. Nodes keep their `half`, for they have one even when their cells have gone.
   void change(std::vector<Index> nodes, Target target) {
     std::vector<Touch> touches;
     std::size_t s = 0;
@@ -57,32 +57,36 @@ class Approach {
       touches.push_back(touch);
     }
     nodes_ = std::move(nodes), faces_.target = std::move(target), touches_ = std::move(touches);
-    if (!start_.empty()) neighbourhood_.find(faces_.target, start_, faces_.depth);
+    if (!start_.empty()) neighbourhood_.find(faces_.target, start_);
     near_.forget();
   }
 
-  /// Appends the pairs of the step, in the order of their nodes. `rounding` are nodes that come round an edge; those
-  /// that go past one are added to it.
-  void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, Rounding& rounding) {
-    near_.update(all, nodes_, faces_.target, faces_.depth, faces_.size, step.dt);
+  /// Appends the pairs of the step, in the order of their nodes, each of which is decided alone. `rounding` are nodes
+  /// that come round an edge; those that go past one are added to it.
+  template <class Execution>
+  void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, Rounding& rounding,
+            const Execution& execution) {
+    near_.update(all, nodes_, faces_.target, depth_, faces_.size, step.dt);
+    choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
+    found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
+    execution.for_each(found_.size(), [&](std::size_t c) {
+      found_[c].clear();
+      for (std::size_t k = c * per_chunk; k < std::min((c + 1) * per_chunk, chosen_.size()); ++k)
+        visit(chosen_[k], all, step.dt, rounding, found_[c]);
+    });
     const std::size_t first_pair = pairs.size();
-    auto touch = last_.begin();
-    auto awake = near_.awake().begin();
-    while (touch != last_.end() || awake != near_.awake().end()) {
-      const bool touches = touch != last_.end() && (awake == near_.awake().end() || touch->node <= *awake);
-      const Index s = touches ? touch->node : *awake;
-      if (awake != near_.awake().end() && *awake == s) ++awake;
-      const std::size_t first = touches_.size();
-      for (; touch != last_.end() && touch->node == s; ++touch) follow(*touch, first, all, step.dt, pairs, rounding);
-      while (touches_.size() < first + most_touches && begins_touch(s, first, all, step.dt, pairs, rounding)) {
-      }
+    for (const Found& found : found_) {
+      touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
+      pairs.insert(pairs.end(), found.pairs.begin(), found.pairs.end());
+      for (const Index i : found.gone_past) rounding.add(i);
     }
     for (std::size_t k = 0; k < touches_.size(); ++k) remember(pairs[first_pair + k], touches_[k]);
   }
-  void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs) {
+  template <class Execution>
+  void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, const Execution& execution) {
     Rounding rounding;
-    find(all, step, pairs, rounding);
+    find(all, step, pairs, rounding, execution);
   }
   /// Takes note that the impulses of the step have moved the nodes.
   void moved(const ContactNodes& all, double dt) { near_.moved(all, dt); }
@@ -91,12 +95,12 @@ class Approach {
   /// `dt`, when positions have moved for a time `moved` at the present velocities.
   double closing_step(const ContactNodes& all, double moved, double dt) {
     double step = dt;
-    if (moved == 0) near_.update(all, nodes_, faces_.target, faces_.depth, faces_.size, dt);  // before the first step
+    if (moved == 0) near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt);  // before the first step
     if (!near_.may_close(dt, closing_share * faces_.size)) return step;
     for (const Index s : near_.awake()) {
       const Index i = nodes_[s];
       for (const Index f : near_.of(s)) {
-        if (self && (faces_.target.has(f, i) || (faces_.two_sided && neighbourhood_.has(i, f)))) continue;
+        if (self && is_own(i, f)) continue;
         const auto& corners = faces_.target.faces()[f];
         const bool is_triangle = faces_.target.count(f) == 3;
         Motion motion{{}, {}, all.x[i] + moved * all.v[i], dt * all.v[i], is_triangle};
@@ -104,7 +108,7 @@ class Approach {
           motion.X[k] = all.x[corners[k]] + moved * all.v[corners[k]];
           motion.way_of_corners[k] = dt * all.v[corners[k]];
         }
-        const Crossing meeting = crossing(motion, faces_.reach());
+        const Crossing meeting = crossing(motion, faces_.reach(i, f));
         if (!meeting.happens()) continue;
         double cell = faces_.size;
         for (unsigned k = 0; k < faces_.target.count(f); ++k)
@@ -136,54 +140,92 @@ class Approach {
  private:
   static constexpr std::size_t most_touches = 3;  // of a node, in the inner corner of three faces
 
+  /// A node that touches or may come to touch, by its place in the list, with its touches of the last step.
+  struct Chosen {
+    Index node;
+    std::size_t first, last;
+  };
+  /// What the nodes of a chunk touch.
+  struct Found {
+    std::vector<Touch> touches;
+    std::vector<ContactPair> pairs;
+    std::vector<Index> gone_past;  // an edge, nodes of the contact
+
+    void clear() { touches.clear(), pairs.clear(), gone_past.clear(); }
+  };
+  static constexpr std::size_t per_chunk = 64;
+
+  void choose_nodes(const Rounding& rounding) {
+    chosen_.clear();
+    std::size_t touch = 0;
+    auto awake = near_.awake().begin();
+    while (touch < touches_.size() || awake != near_.awake().end()) {
+      const bool touches =
+          touch < touches_.size() && (awake == near_.awake().end() || touches_[touch].node <= *awake);
+      const Index s = touches ? touches_[touch].node : *awake;
+      if (awake != near_.awake().end() && *awake == s) ++awake;
+      const std::size_t first = touch;
+      while (touch < touches_.size() && touches_[touch].node == s) ++touch;
+      if (touches || !near_.rests(s) || rounding.has(nodes_[s])) chosen_.push_back({s, first, touch});
+    }
+  }
+  /// Follows the touches of a node and begins others.
+  void visit(const Chosen& chosen, const ContactNodes& all, double dt, const Rounding& rounding, Found& found) {
+    const std::size_t first = found.touches.size(), gone_past = found.gone_past.size();
+    for (std::size_t k = chosen.first; k < chosen.last; ++k) follow(last_[k], first, all, dt, found);
+    const bool comes_round = found.gone_past.size() > gone_past || rounding.has(nodes_[chosen.node]);
+    while (found.touches.size() < first + most_touches &&
+           begins_touch(chosen.node, first, all, dt, comes_round, found)) {
+    }
+  }
   /// A touch of the last step goes on while the node is inside or will be at the end of the step; `first` is the
   /// node's first touch of this step.
-  void follow(Touch touch, std::size_t first, const ContactNodes& all, double dt, std::vector<ContactPair>& pairs,
-              Rounding& rounding) {
+  void follow(Touch touch, std::size_t first, const ContactNodes& all, double dt, Found& found) const {
     const Index i = nodes_[touch.node];
     const auto place = FollowedTouch<self>(touch, i, faces_, all, near_.of(touch.node)).place();
-    if (!place) return rounding.add(i);
-    for (std::size_t k = first; k < touches_.size(); ++k)
-      if (touches_[k].face == place->face) return void(touches_[k].stored += touch.stored);  // both have come here
-    const double height = place->height - faces_.depth;
+    if (!place) return found.gone_past.push_back(i);
+    for (std::size_t k = first; k < found.touches.size(); ++k)
+      if (found.touches[k].face == place->face)
+        return void(found.touches[k].stored += touch.stored);  // both have come here
+    const double depth = faces_.depth(i, place->face, place->N), height = place->height - depth;
     touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
     const ContactPair pair = faces_.pair(i, *place, height + touch.initial_depth);
-    check_depth(all.number(i), all.x[i], -pair.gap, std::max(faces_.size, faces_.depth));
+    check_depth(all.number(i), all.x[i], -pair.gap, std::max(faces_.size, depth));
     if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
     touch.face = place->face;
     touch.normal = touch_normal(*place, all);
-    touches_.push_back(touch), pairs.push_back(pair);
+    found.touches.push_back(touch), found.pairs.push_back(pair);
   }
   /// Appends a further touch of a node if it meets a face that its touches from `first` on do not cover.
-  bool begins_touch(Index s, std::size_t first, const ContactNodes& all, double dt, std::vector<ContactPair>& pairs,
-                    const Rounding& rounding) {
+  bool begins_touch(Index s, std::size_t first, const ContactNodes& all, double dt, bool comes_round, Found& found) {
     const Index i = nodes_[s];
-    FirstTouch<self> met(i, faces_, all, dt, neighbourhood_, std::span(touches_).subspan(first),
-                         std::span(pairs).last(touches_.size() - first), rounding.has(i), near_.reach());
-    for (const Index f : near_.of(s)) met.consider(f);
+    FirstTouch<self> met(i, faces_, all, dt, neighbourhood_, std::span(found.touches).subspan(first),
+                         std::span(found.pairs).subspan(first), comes_round, near_.reach());
+    near_.each_awake(s, comes_round, [&](Index f) { return met.consider(f); });
     const auto place = met.place();
     if (!place) return false;
-    touches_.push_back({.node = s, .face = place->face, .normal = touch_normal(*place, all)});
-    pairs.push_back(faces_.pair(i, *place, place->height - faces_.depth));
+    found.touches.push_back({.node = s, .face = place->face, .normal = touch_normal(*place, all)});
+    found.pairs.push_back(faces_.pair(i, *place, place->height - faces_.depth(i, place->face, place->N)));
     return true;
   }
 
   /// Nodes within the depth of a plate or behind a near face of an open surface, and those inside a closed one.
   void find_initial_depths(const ContactNodes& all, InitialPenetration& inside) {
-    if (faces_.target.faces().empty()) return;
+    const Target& target = faces_.target;
+    if (target.faces().empty()) return;
     std::vector<Index> face(nodes_.size(), Target::none);
-    if (!faces_.two_sided) {
-      const Interior interior(faces_.target, all.x);
-      for (std::size_t s = 0; s < nodes_.size(); ++s) face[s] = interior.nearest_face(nodes_[s]);
-    }
+    const Interior interior(target, all.x);
+    for (std::size_t s = 0; s < nodes_.size(); ++s) face[s] = interior.nearest_face(nodes_[s]);
     for (const Index s : near_.awake())
-      if (face[s] == Target::none && (!self || faces_.two_sided)) face[s] = nearest_face(s, all);
+      if (face[s] == Target::none) face[s] = nearest_face(s, all);
     for (Index s = 0; s < nodes_.size(); ++s) {
       if (face[s] == Target::none) continue;
       const Index i = nodes_[s];
       const Foot foot = faces_.foot(face[s], all, i);
-      const double side = faces_.two_sided && foot.height < 0 ? -1 : 1, depth = faces_.depth - side * foot.height;
-      if (!(depth > faces_.reach().tolerance) || (foot.on_border && !faces_.two_sided)) continue;
+      const bool is_plate = target.is_plate(foot.face);
+      const double side = is_plate && foot.height < 0 ? -1 : 1,
+                   depth = faces_.depth(i, foot.face, foot.point.N) - side * foot.height;
+      if (!(depth > faces_.tolerance()) || (foot.on_border && !is_plate)) continue;
       const Place place{foot.face, foot.point.N, side * foot.normal, side * foot.height};
       touches_.push_back({.node = s, .face = foot.face, .normal = touch_normal(place, all), .initial_depth = depth});
       inside.add(all.number(i), all.x[i], depth);
@@ -194,21 +236,29 @@ class Approach {
     Index best = Target::none;
     double least = std::numeric_limits<double>::infinity();
     for (const Index f : near_.of(s)) {
-      if (self && neighbourhood_.has(i, f)) continue;
+      if (self && (!faces_.is_at_a_distance(i, f) || is_own(i, f))) continue;
       const double distance2 = faces_.target.closest(f, faces_.target.corners(f, all.x), all.x[i]).distance2;
       if (distance2 < least) least = distance2, best = f;
     }
     return best;
   }
+  /// A face that node i of the surface does not touch: its own, of its neighbourhood, or of a piece that is left out.
+  bool is_own(Index i, Index f) const {
+    return faces_.target.has(f, i) || (faces_.is_at_a_distance(i, f) && neighbourhood_.has(i, f)) ||
+           !faces_.target.may_touch(i, f);
+  }
   /// The normal by which a touch remembers its side.
   Eigen::Vector3d touch_normal(const Place& place, const ContactNodes& all) const {
-    return faces_.two_sided ? faces_.side_of_plate(place, all) : place.normal;
+    return faces_.target.is_plate(place.face) ? faces_.side_of_plate(place, all) : place.normal;
   }
 
   std::vector<Index> nodes_;
   TouchedFaces faces_;
   std::vector<Touch> touches_, last_;  // of this step and of the last, in the order of their nodes
+  std::vector<Chosen> chosen_;         // in this step
+  std::vector<Found> found_;           // by their chunks
   NearFaces<self> near_;
+  double depth_ = 0;  // the largest at which a node touches a face [length]
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
   Neighbourhood neighbourhood_;
 };

@@ -2,6 +2,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/part_faces.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/protocol.hpp>
 
@@ -74,6 +77,18 @@ struct Points {
     return pairing.points();
   }
 };
+struct Find {
+  template <class Execution>
+  static void call(auto& meeting, const ContactNodes& nodes, const Step& step, std::vector<ContactPair>& pairs,
+                   const Execution& execution)
+    requires requires { meeting.find(nodes, step, pairs, execution); } || requires { meeting.find(nodes, step, pairs); }
+  {
+    if constexpr (requires { meeting.find(nodes, step, pairs, execution); })
+      meeting.find(nodes, step, pairs, execution);
+    else
+      meeting.find(nodes, step, pairs);
+  }
+};
 struct Remove {
   struct Decoy {
     int remove;
@@ -100,16 +115,16 @@ struct ClosingStep {
     return meeting.closing_step(nodes, moved, dt);
   }
 };
-struct CheckParts {
+struct See {
   struct Decoy {
-    int check_parts;
+    int see;
   };
   template <class Model>
-  using Member = decltype(&Model::check_parts);
-  static void call(const auto& meeting, const std::vector<std::size_t>& elements)
-    requires requires { meeting.check_parts(elements); }
+  using Member = decltype(&Model::see);
+  static void call(auto& pairing, std::span<const PartFaces> parts)
+    requires requires { pairing.see(parts); }
   {
-    meeting.check_parts(elements);
+    pairing.see(parts);
   }
 };
 
@@ -166,15 +181,13 @@ concept RigidBody = std::copyable<B> && requires(const B body, const Eigen::Vect
 /// A pairing at work: the nodes and faces of one run, with their touches.
 ///
 /// 1. `begin(nodes, inside)` is called once; it adds nodes that start inside to the InitialPenetration.
-/// 2. `find(nodes, step, pairs)` appends the pairs of the step, in the order of the nodes' numbers.
+/// 2. `find(nodes, step, pairs)` appends the pairs of the step, in the order of the nodes' numbers; or
+///    `find(nodes, step, pairs, execution)`, which may use the Execution of the run.
 /// 3. `moved(nodes, dt)` follows the impulses of the step, which may have sped up nodes.
 /// 4. `largest_inverse_mass()` bounds the 1/m* of all pairs [1/mass].
 /// 5. `serialize(archive)`: see strike/output/archive.hpp.
 /// 6. `remove(part, alive, nodes)`, optional: cells of a part have gone.
-/// 7. `check_parts(elements) const`, optional: throws an Error if it names a part, or elements of a part, that are not
-///    in the scene; elements[p] is the number of elements of part p.
-///
-/// 8. `closing_step(nodes, moved, dt)`, optional: a step of at most dt in which nothing that comes to touch closes
+/// 7. `closing_step(nodes, moved, dt)`, optional: a step of at most dt in which nothing that comes to touch closes
 ///    by more than its gap and a tenth of a cell, when the nodes have moved for the time `moved` at their velocities.
 ///
 /// Laws that no compiler checks: `pair.stored` stays the same number as long as a touch lasts, and begins at 0.
@@ -184,7 +197,7 @@ template <class M>
 concept Meeting = requires(M meeting, const M same, const ContactNodes nodes, detail::InitialPenetration& inside,
                            const Step step, std::vector<ContactPair> pairs) {
   meeting.begin(nodes, inside);
-  meeting.find(nodes, step, pairs);
+  detail::Find::call(meeting, nodes, step, pairs, Serial{});
   meeting.moved(nodes, 0.0);
   { same.largest_inverse_mass() } -> std::convertible_to<double>;
 };
@@ -196,8 +209,10 @@ concept Meeting = requires(M meeting, const M same, const ContactNodes nodes, de
 /// 3. `first() const` are the numbers of the nodes whose force `Contact::force` sums.
 /// 4. `start(nodes) const` is its Meeting with these ContactNodes.
 /// 5. `points() const`, optional: positions that never move and are counted after the nodes [length].
+/// 6. `see(parts)`, optional: before all others, in a run, the std::span<const PartFaces> of the scene; throws an Error
+///    if the pairing names a part, or cells of a part, that are not there.
 ///
-/// Models: NodeToSurface, TwoWay, SelfContact, NodeToRigid.
+/// Models: NodeToSurface, TwoWay, SelfContact, Everything, NodeToRigid.
 template <class P>
 concept Pairing = std::copyable<P> && requires(const P pairing, const ContactNodes nodes) {
   { pairing.numbers() } -> std::convertible_to<std::vector<Index>>;

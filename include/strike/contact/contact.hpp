@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -16,6 +17,7 @@
 #include <strike/contact/plane_contact.hpp>
 #include <strike/contact/policies.hpp>
 #include <strike/contact/touch.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/pick.hpp>
 #include <strike/protocol.hpp>
@@ -41,12 +43,13 @@ class Contact {
 
   /// Errors: no such node; those of the pairing.
   template <class N>
-  void begin(const N& nodes) {
+  void begin(const N& nodes, std::span<const PartFaces> parts = {}) {
     detail::refuse_dual_numbers<N>();
     if constexpr (detail::is_plain<N>) {
+      if (!parts.empty()) detail::call_if_present<detail::See>(pairing_, parts);
       std::vector<Eigen::Vector3d> points;
       if constexpr (detail::answers<detail::Points, const P>) points = detail::Points::call(pairing_);
-      all_.begin(nodes, pairing_.numbers(), points);
+      all_.begin(nodes, pairing_.numbers(), points, parts);
       is_first_.assign(all_.size(), 0);
       for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
       meeting_.emplace(pairing_.start(all_));
@@ -54,14 +57,14 @@ class Contact {
     }
   }
 
-  template <class N, class Ledger>
-  void resolve_contact(N& nodes, const Step& step, Ledger& ledger)
+  template <class N, class Ledger, Execution E = Serial>
+  void resolve_contact(N& nodes, const Step& step, Ledger& ledger, const E& execution = {})
     requires detail::is_plain<N>
   {
-    all_.gather(nodes);
+    all_.gather(nodes, execution);
     all_.find_held_directions(nodes);
     pairs_.clear();
-    meeting_->find(all_, step, pairs_);
+    detail::Find::call(*meeting_, all_, step, pairs_, execution);
     all_.gather_forces(nodes, pairs_, step.kick());
     kappa_ = law_.press(pairs_, all_, step);
     step_ = step;
@@ -84,19 +87,16 @@ class Contact {
         kappa = std::max(kappa, detail::Kappa::call(law_, meeting_->largest_inverse_mass()));
       dt = stable_step_with_contact(dt, kappa);
       if constexpr (closes) {
-        if (step_.dt == 0) all_.gather(nodes);  // before the first step
+        if (step_.dt == 0) all_.gather(nodes, Serial{});  // before the first step
         dt = meeting_->closing_step(all_, step_.dt, dt);
       }
     }
     return dt;
   }
 
-  /// Error: a surface of a part, or of cells, that the scene does not have.
-  void check_parts(const std::vector<std::size_t>& elements) const {
-    if (meeting_) detail::call_if_present<detail::CheckParts>(*meeting_, elements);
-  }
   /// Removes the cells of a part that are not alive from the surfaces.
   void remove(std::size_t part, const std::vector<bool>& alive) {
+    all_.remove(part, alive);
     detail::call_if_present<detail::Remove>(*meeting_, part, alive, all_);
   }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -11,6 +12,8 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/part_faces.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -26,9 +29,11 @@ class ContactNodes {
   std::vector<Eigen::Vector3d> kicked;    ///< change of v by this step's forces, of nodes in pairs
   std::vector<Eigen::Vector3d> normal_impulse, friction_impulse;  ///< of this step [force time]
 
-  /// Nodes by their numbers, in ascending order, and points that never move. Error: no such node.
+  /// Nodes by their numbers, in ascending order, and points that never move. `parts` are those of the scene: where
+  /// plates are beside their nodes, x is in their middle. Error: no such node.
   template <class N>
-  void begin(const N& nodes, std::vector<Index> numbers, const std::vector<Eigen::Vector3d>& points) {
+  void begin(const N& nodes, std::vector<Index> numbers, const std::vector<Eigen::Vector3d>& points,
+             std::span<const PartFaces> parts) {
     if (!numbers.empty() && numbers.back() >= nodes.size())
       throw Error(detail::joined({"strike: a contact names node ", std::to_string(numbers.back()), ", but there are ",
                                   std::to_string(nodes.size()), " nodes; count them from 0."}));
@@ -41,19 +46,29 @@ class ContactNodes {
     kicked = normal_impulse = friction_impulse = v;
     is_touched_.assign(x.size(), 0), held_.assign(x.size(), -1), inverse_mass_.assign(x.size(), 0.0);
     for (std::size_t i = 0; i < number_.size(); ++i) inverse_mass_[i] = 1 / nodes.mass(number_[i]);
-    gather(nodes), x_before = x;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      if (parts[p].offset != 0) add_offset(nodes, p, parts[p]);
+    gather(nodes, Serial{}), x_before = x;
   }
 
   /// Copies positions and velocities from the scene and clears the impulses.
-  template <class N>
-  void gather(const N& nodes) {
-    std::copy(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(place_.size()), x_before.begin());
-    for (std::size_t i = 0; i < place_.size(); ++i) {
-      x[i] = N::vector_of(nodes.position()[place_[i]]);
-      v[i] = N::vector_of(nodes.velocity()[place_[i]]);
-    }
+  template <class N, class E>
+  void gather(const N& nodes, const E& execution) {
+    detail::for_each_chunk(execution, place_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        x_before[i] = x[i];
+        x[i] = N::vector_of(nodes.position()[place_[i]]);
+        v[i] = N::vector_of(nodes.velocity()[place_[i]]);
+      }
+    });
+    if (!beside_.empty()) shift(nodes);
     for (const Index i : touched_) is_touched_[i] = 0, normal_impulse[i].setZero(), friction_impulse[i].setZero();
     touched_.clear();
+  }
+
+  /// Plates of a part that are not alive no longer shift their nodes.
+  void remove(std::size_t part, const std::vector<bool>& alive) {
+    std::erase_if(beside_, [&](const PlateBeside& plate) { return plate.part == part && !alive.at(plate.cell); });
   }
 
   /// Computes `kicked` of the nodes in pairs, and 1/m* of the pairs.
@@ -130,10 +145,51 @@ class ContactNodes {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(x, normal_impulse, friction_impulse, touched_, is_touched_);
+    archive(x, normal_impulse, friction_impulse, touched_, is_touched_, beside_);
   }
 
  private:
+  /// A plate whose middle is beside its nodes, some of which are of the contact.
+  struct PlateBeside {
+    std::array<Index, 4> places;  // of its nodes in memory
+    std::array<Index, 4> nodes;   // of the contact; size() where it is none
+    double offset;                // [length]
+    std::size_t part;
+    Index cell;
+  };
+
+  template <class N>
+  void add_offset(const N& nodes, std::size_t part, const PartFaces& plates) {
+    for (const Face& face : plates.faces) {
+      PlateBeside plate{{}, {}, plates.offset, part, face.cell};
+      bool touches = false;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Index i = local(face.nodes[k]);
+        const bool is_here = i < number_.size() && number_[i] == face.nodes[k];
+        plate.places[k] = nodes.place(face.nodes[k]), plate.nodes[k] = is_here ? i : static_cast<Index>(size());
+        touches = touches || is_here;
+      }
+      if (touches) beside_.push_back(plate);
+    }
+  }
+  /// Moves nodes to the middle of their plates: by the mean offset along the normals of those around.
+  template <class N>
+  void shift(const N& nodes) {
+    using namespace detail;
+    std::vector<Eigen::Vector3d> sum(number_.size(), Eigen::Vector3d{0, 0, 0});
+    std::vector<int> plates(number_.size(), 0);
+    for (const PlateBeside& plate : beside_) {
+      const auto at = [&](std::size_t k) -> Eigen::Vector3d {
+        return N::vector_of(nodes.position()[plate.places[k]]);
+      };
+      const Eigen::Vector3d along = plate.offset * direction(cross<double>(at(2) - at(0), at(3) - at(1)));
+      for (const Index i : plate.nodes)
+        if (i < size()) sum[i] += along, ++plates[i];
+    }
+    for (std::size_t i = 0; i < number_.size(); ++i)
+      if (plates[i] > 0) x[i] += (1.0 / plates[i]) * sum[i];
+  }
+
   void add(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
     using namespace detail;
     if (!(inverse_mass_[i] > 0)) return;
@@ -146,6 +202,7 @@ class ContactNodes {
   std::vector<Index> number_, place_, touched_;
   std::vector<unsigned char> is_touched_;
   std::vector<double> inverse_mass_;
+  std::vector<PlateBeside> beside_;
   std::vector<int> held_;  // index into free_, or -1
   std::vector<Eigen::Matrix3d> free_;
   bool knows_held_ = false;

@@ -34,10 +34,18 @@ struct Motion {
 
 /// How near nodes and faces must come to meet, and from which sides.
 struct Reach {
-  double depth = 0;        ///< of the surface of a plate above its middle, 0 of solids [length]
-  double tolerance = 0;    ///< within which a point counts as on a face or its edge [length]
-  bool two_sided = false;  ///< plates
-  double slack = 0;        ///< by which a node may be inside at the start, if it comes from next to the face [length]
+  double own = 0;                        ///< half the thickness of the node's plate, 0 of solids [length]
+  std::array<double, 4> of_corners{};    ///< of the face's plate at its corners
+  double tolerance = 0;                  ///< within which a point counts as on a face or its edge [length]
+  bool two_sided = false;                ///< the face is a plate
+  double slack = 0;  ///< by which a node may be inside at the start, if it comes from next to the face [length]
+
+  /// The distance of both middles when they touch, where the face has the shape functions N [length].
+  double depth(const std::array<double, 4>& N) const {
+    return two_sided ? own + N[0] * of_corners[0] + N[1] * of_corners[1] + N[2] * of_corners[2] + N[3] * of_corners[3]
+                     : own;
+  }
+  double largest_depth() const { return own + *std::max_element(of_corners.begin(), of_corners.end()); }
 };
 
 /// The meeting of a node with a face, to which its edges and corners belong, from outside.
@@ -55,7 +63,7 @@ struct Crossing {
 inline bool may_cross(const Motion& motion, const Reach& reach) {
   const auto& [X, U, x, u, triangle] = motion;
   const bool is_triangle = triangle;
-  const double margin = reach.depth + reach.tolerance + reach.slack;
+  const double margin = reach.largest_depth() + reach.tolerance + reach.slack;
   for (int c = 0; c < 3; ++c) {
     const auto [a, b] = std::minmax({X[0](c), X[1](c), X[2](c), X[3](c)});
     const auto [p, q] = std::minmax({X[0](c) + U[0](c), X[1](c) + U[1](c), X[2](c) + U[2](c), X[3](c) + U[3](c)});
@@ -91,7 +99,7 @@ inline Crossing crossing(const Motion& motion, const Reach& reach) {
       distance = normal.dot(found.point.away);
     else if (distance > reach.tolerance)
       normal = (1 / distance) * found.point.away;
-    const double gap = distance - reach.depth;
+    const double gap = distance - reach.depth(found.point.N);
     if (std::abs(gap) <= reach.tolerance) {
       found.when = t, found.normal = normal, found.rate = -normal.dot(way);
       return found.rate > 0 ? found : none;

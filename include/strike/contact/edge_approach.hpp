@@ -29,7 +29,7 @@ struct Edge {
 
 /// Borders and crests of a surface, of more than 30 degrees: where others touch it by its edges. Plates fold either
 /// way.
-inline std::vector<Edge> crests(const Target& target, bool two_sided, std::span<const Eigen::Vector3d> x) {
+inline std::vector<Edge> crests(const Target& target, std::span<const Eigen::Vector3d> x) {
   std::vector<Edge> edges;
   const auto normal = [&](Index f) { return target.normal(f, x); };
   for (Index f = 0; f < target.faces().size(); ++f)
@@ -38,7 +38,7 @@ inline std::vector<Edge> crests(const Target& target, bool two_sided, std::span<
                   b = target.faces()[f][(k + 1) % target.count(f)];
       if (other != Target::none) {
         if (other < f || normal(f).dot(normal(other)) > 0.866) continue;
-        if (!two_sided && normal(f).dot(target.middle(other, x) - x[a]) > 0) continue;  // a dent
+        if (!target.is_plate(f) && normal(f).dot(target.middle(other, x) - x[a]) > 0) continue;  // a dent
       }
       edges.push_back({{a, b}, f, other});
     }
@@ -69,14 +69,13 @@ template <bool self>
 class EdgeApproach {
  public:
   EdgeApproach() = default;
-  /// `depth` is the distance between the middle surfaces of touching plates, 0 of solids [length].
-  EdgeApproach(Target first, Target second, double depth, std::array<bool, 2> two_sided)
-      : targets_{std::move(first), std::move(second)}, depth_(depth), two_sided_(two_sided) {}
+  EdgeApproach(Target first, Target second) : targets_{std::move(first), std::move(second)} {}
 
   void begin(const ContactNodes& all) {
     size_ = targets_[1].mean_size(all.x);
-    if (self && two_sided_[1]) start_ = all.x;
-    if (!start_.empty()) neighbourhood_.find(targets_[1], start_, depth_);
+    largest_depth_ = targets_[0].largest_half() + targets_[1].largest_half();
+    if (self && largest_depth_ > 0) start_ = all.x;
+    if (!start_.empty()) neighbourhood_.find(targets_[1], start_);
   }
   /// Other surfaces, after cells have gone. A touch goes on where both of its edges remain.
   void change(Target first, Target second) {
@@ -84,7 +83,7 @@ class EdgeApproach {
     std::erase_if(touches_, [&](const EdgeTouch& touch) {
       return !has(targets_[0], touch.ends[0], touch.ends[1]) || !has(targets_[1], touch.ends[2], touch.ends[3]);
     });
-    if (!start_.empty()) neighbourhood_.find(targets_[1], start_, depth_);
+    if (!start_.empty()) neighbourhood_.find(targets_[1], start_);
     margin_ = -1;
   }
 
@@ -152,14 +151,14 @@ class EdgeApproach {
     std::vector<Eigen::Vector3d> x = all.x;
     std::vector<Index> middles;
     std::vector<FaceCorners> others;
-    for (std::size_t s = 0; s < 2; ++s) crests_[s] = crests(targets_[s], two_sided_[s], all.x);
+    for (std::size_t s = 0; s < 2; ++s) crests_[s] = crests(targets_[s], all.x);
     for (const Edge& edge : crests_[0]) {
       const auto [p, q] = ends_of(edge.ends, all.x);
       longest = std::max(longest, (q - p).norm());
       middles.push_back(static_cast<Index>(x.size())), x.push_back(0.5 * (p + q));
     }
     for (const auto& [ends, face, other] : crests_[1]) others.push_back({ends[0], ends[1], ends[1], ends[1]});
-    const double apart = search_.sort(middles, others, x, depth_ + 0.5 * longest + margin);
+    const double apart = search_.sort(middles, others, x, largest_depth_ + 0.5 * longest + margin);
     margin_ = margin + apart, travelled_ = 0;
   }
 
@@ -178,7 +177,7 @@ class EdgeApproach {
   }
   ContactPair pair_of(const std::array<Index, 4>& ends, const Crossover& at, const Eigen::Vector3d& normal,
                       const ContactNodes& all) const {
-    ContactPair pair(normal, -depth_);
+    ContactPair pair(normal, -depth_of(ends, at));
     const double weights[] = {1 - at.along_p, at.along_p, at.along_q - 1, -at.along_q};
     for (std::size_t k = 0; k < 4; ++k) {
       pair.add(ends[k], weights[k]);
@@ -187,13 +186,23 @@ class EdgeApproach {
     return pair;
   }
 
+  /// The distance of the middles of two edges, by their ends, when they touch [length].
+  double depth_of(const std::array<Index, 4>& ends, const Crossover& at) const {
+    const auto half = [&](const Target& target, Index p, Index q, double along) {
+      return (1 - along) * target.half(p) + along * target.half(q);
+    };
+    return largest_depth_ > 0
+               ? half(targets_[0], ends[0], ends[1], at.along_p) + half(targets_[1], ends[2], ends[3], at.along_q)
+               : 0;
+  }
+
   template <class Touches>
   void begin_touch(const Edge& first, const Edge& second, const ContactNodes& all, double dt,
                    std::vector<ContactPair>& pairs, const Touches& touches, const Rounding& rounding) {
     const auto& [p, q] = std::pair(first.ends, second.ends);
     if (self && (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1] || !(p < q))) return;
-    if (self && two_sided_[1] && (neighbourhood_.has(p[0], second.face) || neighbourhood_.has(p[1], second.face)))
-      return;
+    if (self && targets_[1].are_apart(first.face, second.face)) return;
+    if (!start_.empty() && (neighbourhood_.has(p[0], second.face) || neighbourhood_.has(p[1], second.face))) return;
     Ends way_p, way_q, back_p, back_q;
     for (std::size_t k = 0; k < 2; ++k) {
       way_p[k] = dt * all.v[p[k]], way_q[k] = dt * all.v[q[k]];
@@ -222,7 +231,7 @@ class EdgeApproach {
   }
   /// False if boxes around both ways stay apart.
   bool may_cross(const Ends& P, const Ends& U, const Ends& Q, const Ends& V) const {
-    const double margin = depth_ + 1e-6 * size_;
+    const double margin = largest_depth_ + 1e-6 * size_;
     for (int c = 0; c < 3; ++c) {
       const auto [a, b] =
           std::minmax({P[0](c), P[1](c), P[0](c) + U[0](c), P[1](c) + U[1](c), P[0](c) - U[0](c), P[1](c) - U[1](c)});
@@ -237,6 +246,7 @@ class EdgeApproach {
   bool crosses(const Edge& first, const Edge& second, const Ends& P, const Ends& U, const Ends& Q, const Ends& V,
                double slack, const ContactNodes& all, Eigen::Vector3d& normal) const {
     const double tolerance = 1e-6 * size_;
+    const std::array<Index, 4> ends{first.ends[0], first.ends[1], second.ends[0], second.ends[1]};
     double t = 0;
     for (int iteration = 0; iteration < 20; ++iteration) {
       const Crossover at({P[0] + t * U[0], P[1] + t * U[1]}, {Q[0] + t * V[0], Q[1] + t * V[1]});
@@ -249,7 +259,7 @@ class EdgeApproach {
         normal = side_of(first, second, at.normal, apart, all) * at.normal;
       else
         normal = at.normal.dot(normal) < 0 ? Eigen::Vector3d(-at.normal) : at.normal;
-      const double gap = normal.dot(apart) - depth_, rate = -normal.dot(way);
+      const double gap = normal.dot(apart) - depth_of(ends, at), rate = -normal.dot(way);
       const bool is_shallow = iteration == 0 && gap < 0 && gap > -slack;
       if (is_shallow || std::abs(gap) <= tolerance)
         return (is_shallow || rate > 0) && at.is_within(1e-6) && is_crest(targets_[1], second, normal, all) &&
@@ -265,7 +275,8 @@ class EdgeApproach {
   /// plates are.
   double side_of(const Edge& first, const Edge& second, const Eigen::Vector3d& normal, const Eigen::Vector3d& apart,
                  const ContactNodes& all) const {
-    if (depth_ > 0) return normal.dot(apart) < 0 ? -1 : 1;
+    if (targets_[0].is_plate(first.face) || targets_[1].is_plate(second.face))
+      return normal.dot(apart) < 0 ? -1 : 1;
     return normal.dot(outside(targets_[1], second, all) - outside(targets_[0], first, all)) < 0 ? -1 : 1;
   }
   static Eigen::Vector3d outside(const Target& target, const Edge& edge, const ContactNodes& all) {
@@ -284,8 +295,7 @@ class EdgeApproach {
   }
 
   std::array<Target, 2> targets_;
-  double depth_ = 0, size_ = 0;
-  std::array<bool, 2> two_sided_{};
+  double largest_depth_ = 0, size_ = 0;
   std::vector<EdgeTouch> touches_, last_;  // of this step and of the last
   std::array<std::vector<Edge>, 2> crests_;
   BucketSearch search_;  // of the crests of the second near the middle of each of the first

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,42 +35,49 @@ class FirstTouch {
         all_(all),
         dt_(dt),
         way_(dt * all.v[i]),
-        reach_(faces.reach()),
-        farthest_(farthest + reach_.tolerance),
+        farthest_(farthest + faces.tolerance()),
+        comes_round_(comes_round),
         neighbourhood_(neighbourhood),
         touches_(touches) {
-    if (comes_round && faces.depth == 0) reach_.slack = faces.slack();
     // Touches let the node no deeper into their faces.
     for (const ContactPair& pair : pairs)
       way_ += std::max(0.0, -std::max(0.0, pair.gap) - dt * pair.normal.dot(pair.velocity(all))) * pair.normal;
   }
 
-  void consider(Index f) {
-    if (self && faces_.target.has(f, i_)) return;
+  /// Looks whether the node meets face f. Returns by how much both may move relative to each other before they can
+  /// [length].
+  double consider(Index f) {
+    if (self && faces_.target.has(f, i_)) return never;
     const Corners X = faces_.target.corners(f, all_.x);
+    const Reach reach = reach_to(f);
     const Eigen::Vector3d diagonals[] = {X[2] - X[0], X[3] - X[1]}, area = cross<double>(diagonals[0], diagonals[1]),
                           from = all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3]);
     const double area2 = area.squaredNorm(), warp2 = 0.0625 * (X[0] - X[1] + X[2] - X[3]).squaredNorm(),
-                 height = from.dot(area), near = faces_.depth + reach_.slack + farthest_;
+                 height = from.dot(area), deep = reach.largest_depth() + reach.slack;
     const bool is_triangle = faces_.target.count(f) == 3;
-    const auto is_within = [&](double reach) {
-      return height * height <= 2 * (reach * reach + (is_triangle ? 0 : warp2)) * area2;
+    const auto is_within = [&](double far) {
+      return height * height <= 2 * (far * far + (is_triangle ? 0 : warp2)) * area2;
     };
-    // Cheap, and most candidates end here: out of reach, or a face that goes on from one that the node touches.
-    const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm());
-    if (from.squaredNorm() > 3 * (half2 + warp2 + near * near) || !is_within(near)) return;
+    // Outside of a sphere around the face, or of a layer along it.
+    const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm()),
+                 warp = std::sqrt(warp2);
+    const double clearance = std::max(from.norm() - std::sqrt(half2) - warp,
+                                      std::abs(height) / std::sqrt(area2) - (is_triangle ? 0 : warp)) -
+                             deep;
+    if (clearance > farthest_) return clearance;
     for (const Touch& touch : touches_) {
       const double cosine = touch.normal.dot(area);
-      if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.are_connected(f, touch.face))) return;
+      if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.go_together(f, touch.face))) return 0;
     }
-    const bool is_at = is_within(faces_.depth + reach_.slack + reach_.tolerance);
-    const bool is_outside = reach_.two_sided || height > 0;
+    const bool is_at = is_within(deep + reach.tolerance);
+    const bool is_outside = reach.two_sided || height > 0;
     if (is_outside || is_at) {
-      if (const Crossing next = in_step(f, X); next.happens()) return meet(f, next, next.when);
+      if (const Crossing next = in_step(f, X, reach); next.happens()) return meet(f, next, next.when), 0;
     }
     if (!is_outside || is_at) {
-      if (const Crossing last = in_last_step(f, X); last.happens()) meet(f, last, last.when - 1);
+      if (const Crossing last = in_last_step(f, X, reach); last.happens()) meet(f, last, last.when - 1);
     }
+    return 0;
   }
 
   /// Where the node touches first, as it stands now; nothing if it meets no face.
@@ -79,31 +87,39 @@ class FirstTouch {
   }
 
  private:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
   struct Met {
     Index face = Target::none;
     Crossing crossing;
     double when = 2;  // in steps, from now
   };
 
-  Crossing in_step(Index f, const Corners& X) const {
+  Reach reach_to(Index f) const {
+    Reach reach = faces_.reach(i_, f);
+    if (comes_round_ && !faces_.is_at_a_distance(i_, f)) reach.slack = faces_.slack();
+    return reach;
+  }
+  Crossing in_step(Index f, const Corners& X, const Reach& reach) const {
     Motion motion{X, {}, all_.x[i_], way_, faces_.target.count(f) == 3};
     for (unsigned k = 0; k < 4; ++k) motion.way_of_corners[k] = dt_ * all_.v[faces_.target.faces()[f][k]];
-    return crossing(motion, reach_);
+    return crossing(motion, reach);
   }
-  Crossing in_last_step(Index f, const Corners& X) const {
+  Crossing in_last_step(Index f, const Corners& X, const Reach& reach) const {
     const Target& target = faces_.target;
     Motion motion{
         target.corners(f, all_.x_before), {}, all_.x_before[i_], all_.x[i_] - all_.x_before[i_], target.count(f) == 3};
     for (unsigned k = 0; k < 4; ++k) motion.way_of_corners[k] = X[k] - motion.X[k];
-    return crossing(motion, reach_);
+    return crossing(motion, reach);
   }
 
   void meet(Index f, const Crossing& crossing, double when) {
-    if (self && faces_.two_sided && neighbourhood_.has(i_, f)) return;
+    const bool at_a_distance = faces_.is_at_a_distance(i_, f);
+    if (self && ((at_a_distance && neighbourhood_.has(i_, f)) || !faces_.target.may_touch(i_, f))) return;
     if (is_part_of_a_touch(f, crossing)) return;
     // At a distance the faces of a common edge have one normal, that of the one which is met first.
     const double rate = std::max(crossing.rate, first_.crossing.rate);
-    const double near = faces_.depth > 0 ? 0.0 : 4 * reach_.tolerance;
+    const double near = at_a_distance ? 0.0 : 4 * faces_.tolerance();
     const bool at_once = std::abs(when - first_.when) * rate <= near;
     if (!at_once && when > first_.when) return;
     if (at_once && first_.face != Target::none && !is_crest(f, first_.face)) {  // in a dent each is a touch of its own
@@ -124,12 +140,12 @@ class FirstTouch {
   bool is_part_of_a_touch(Index f, const Crossing& crossing) const {
     for (const Touch& touch : touches_) {
       if (touch.face == f) return true;
-      const bool connected = faces_.are_connected(f, touch.face);
+      const bool connected = faces_.go_together(f, touch.face);
       if (goes_on(touch.normal, crossing.normal)) {
         const double apart = std::abs(touch.normal.dot(faces_.way_to(i_, f, crossing.point.N, all_)));
         if (connected ? !is_sharp_dent(touch, f) : apart < 0.02 * faces_.size) return true;
-      } else if (faces_.two_sided ? connected && crossing.point.where != ClosestPoint::inside
-                                  : is_below_crest(touch, f)) {
+      } else if (faces_.target.is_plate(f) ? connected && crossing.point.where != ClosestPoint::inside
+                                           : is_below_crest(touch, f)) {
         return true;
       }
     }
@@ -146,7 +162,7 @@ class FirstTouch {
   bool is_sharp_dent(const Touch& touch, Index f) const {
     const Eigen::Vector3d normal = faces_.normal(f, all_), own = faces_.normal(touch.face, all_);
     const Eigen::Vector3d apart = faces_.target.middle(f, all_.x) - faces_.target.middle(touch.face, all_.x);
-    return faces_.depth == 0 && own.dot(normal) < 0.9 && own.dot(apart) > 0 && normal.dot(apart) < 0;
+    return !faces_.is_at_a_distance(i_, f) && own.dot(normal) < 0.9 && own.dot(apart) > 0 && normal.dot(apart) < 0;
   }
   /// True if the node is near a crest of face f that its touch has reached from the other side: as deep as it is
   /// behind its face it may be beside the crest.
@@ -171,10 +187,11 @@ class FirstTouch {
     Place place{f, crossing.point.N, normal, 0};
     const bool on_ridge = normal.dot(crossing.normal) < 1 - 1e-9;
     if (const Projection foot = faces_.projection(f, all_, i_);
-        !on_ridge && foot.beyond < 0.5 && (faces_.depth == 0 || crossing.point.where == ClosestPoint::inside)) {
+        !on_ridge && foot.beyond < 0.5 &&
+        (!faces_.is_at_a_distance(i_, f) || crossing.point.where == ClosestPoint::inside)) {
       const Eigen::Vector3d n = faces_.normal(f, foot.N, all_);
       place.N = foot.N, place.normal = n.dot(normal) < 0 ? -n : n;
-    } else if (const Foot near = faces_.foot(f, all_, i_); on_ridge || crossing.rate < faces_.depth) {
+    } else if (const Foot near = faces_.foot(f, all_, i_); on_ridge || crossing.rate < faces_.depth(i_, f, crossing.point.N)) {
       const double side = near.normal.dot(normal) < 0 ? -1 : 1;
       if (side * near.normal.dot(normal) > 0.9) place.N = near.point.N, place.normal = side * near.normal;
     }
@@ -187,8 +204,8 @@ class FirstTouch {
   const ContactNodes& all_;
   double dt_;
   Eigen::Vector3d way_;  // of the node in the step to come [length]
-  Reach reach_;
-  double farthest_;  // way relative to a face in a step [length]
+  double farthest_;      // way relative to a face in a step [length]
+  bool comes_round_;
   const Neighbourhood& neighbourhood_;
   std::span<const Touch> touches_;
   Met first_;

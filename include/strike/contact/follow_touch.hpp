@@ -28,7 +28,7 @@ class FollowedTouch {
       : touch_(touch), i_(i), faces_(faces), all_(all), near_(near) {}
 
   /// Where the node is now; nothing if it has gone past a border or a crest.
-  std::optional<Place> place() const { return faces_.depth > 0 ? at_a_distance() : on_solid(); }
+  std::optional<Place> place() const { return faces_.is_at_a_distance(i_, touch_.face) ? at_a_distance() : on_solid(); }
 
  private:
   bool is_own(Index f) const { return self && faces_.target.has(f, i_); }
@@ -39,8 +39,9 @@ class FollowedTouch {
   std::optional<Place> at_a_distance() const {
     const Foot own = faces_.foot(touch_.face, all_, i_);
     Foot best = nearest_from(own, [&](Index f) { return !is_own(f); });
+    const bool is_plate = faces_.target.is_plate(touch_.face);
     const auto is_behind = [&](Index f, const std::array<double, 4>& N) {
-      return faces_.two_sided && touch_.normal.dot(faces_.normal(f, N, all_)) < 0;
+      return is_plate && touch_.normal.dot(faces_.normal(f, N, all_)) < 0;
     };
     bool behind = is_behind(touch_.face, own.point.N);
     if (best.point.where != ClosestPoint::inside)
@@ -49,7 +50,7 @@ class FollowedTouch {
         best = faces_.foot(f, all_, i_), behind = is_behind(f, foot.N);
       });
     if (best.on_border) {
-      if (faces_.two_sided)
+      if (is_plate)
         behind = best.height < 0;  // round the edge of a plate
       else if (slid_off(best))
         return std::nullopt;
@@ -117,9 +118,9 @@ class FollowedTouch {
   template <class G>
   void each_in_line(const Eigen::Vector3d& away, const G& g) const {
     for (const Index f : near_) {
-      if (faces_.are_connected(f, touch_.face) || is_own(f)) continue;
+      if (!faces_.target.are_alike(f, touch_.face) || faces_.are_connected(f, touch_.face) || is_own(f)) continue;
       const double cosine = touch_.normal.dot(faces_.normal(f, all_));
-      if (!(faces_.two_sided ? std::abs(cosine) > 0.5 : cosine > 0.5)) continue;
+      if (!(faces_.target.is_plate(f) ? std::abs(cosine) > 0.5 : cosine > 0.5)) continue;
       const Projection foot = faces_.projection(f, all_, i_);
       if (std::abs(touch_.normal.dot(foot.away - away)) < overhang * faces_.size) g(f, foot);
     }
@@ -137,6 +138,7 @@ class FollowedTouch {
     if (foot.point.where == ClosestPoint::on_edge) return ends(foot.face, foot.point.which);
     const Index corner = target.faces()[foot.face][foot.point.which];
     for (const Index face : target.at(corner)) {
+      if (!target.are_alike(face, foot.face)) continue;
       if (!goes_on(touch_.normal, faces_.normal(face, all_))) return true;
       const unsigned n = target.count(face);
       for (unsigned k = 0; k < n; ++k)

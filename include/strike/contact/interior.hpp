@@ -60,14 +60,14 @@ class Interior {
     }
   };
 
-  /// Pieces hang together by edges; one with a border encloses nothing.
+  /// Pieces hang together by edges; one with a border, or of plates, encloses nothing.
   void find_pieces() {
     piece_.assign(target_.faces().size(), Target::none);
     std::vector<Index> reached;
     for (std::size_t first = 0; first < piece_.size(); ++first) {
       if (piece_[first] != Target::none) continue;
       const auto piece = static_cast<Index>(is_closed_.size());
-      is_closed_.push_back(true);
+      is_closed_.push_back(!target_.is_plate(static_cast<Index>(first)));
       piece_[first] = piece, reached.push_back(static_cast<Index>(first));
       while (!reached.empty()) {
         const Index f = reached.back();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace strike::detail {
 
 /// The faces near each node, found by a BucketSearch with a margin and kept until nodes and faces may have moved by it.
+/// A face that is farther from a node than they can have come since rests.
 template <bool self>
 class NearFaces {
  public:
@@ -22,6 +24,7 @@ class NearFaces {
     ++sorts_;
     const double apart = search_.sort(nodes, target.faces(), all.x, reach + margin);
     margin_ = margin + apart, travelled_ = 0;
+    wake_all();
     largest_inverse_mass_ = 0;
     for (const Index s : search_.awake()) {
       double corner = 0;
@@ -54,6 +57,22 @@ class NearFaces {
   /// Drops what belongs to faces that have changed.
   void forget() { corners_.clear(), margin_ = -1; }
 
+  /// Calls clearance = look(f) for the faces near node s of the list that do not rest, or for all of them: how far the
+  /// face and the node may move relative to each other before they need a look again.
+  template <class Look>
+  void each_awake(std::size_t s, bool all, const Look& look) {
+    const auto faces = search_.near(s);
+    const auto wakes = std::span(wakes_).subspan(search_.first(s), faces.size());
+    double first = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      if (all || !(travelled_ < wakes[k])) wakes[k] = travelled_ - step_reach_ + look(faces[k]);
+      first = std::min(first, wakes[k]);
+    }
+    first_wakes_[s] = first;
+  }
+  /// True if all faces near node s rest.
+  bool rests(std::size_t s) const { return travelled_ < first_wakes_[s]; }
+
   /// Faces near node s of the list, in ascending order.
   std::span<const Index> of(std::size_t s) const { return search_.near(s); }
   /// Nodes that have a face near, by their places in the list.
@@ -65,9 +84,12 @@ class NearFaces {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(corners_, search_, margin_, travelled_, last_reach_, largest_inverse_mass_, sorts_);
+    wake_all();
   }
 
  private:
+  void wake_all() { wakes_.assign(search_.size(), 0.0), first_wakes_.assign(search_.nodes(), 0.0); }
+
   /// Bound of the speed of a node relative to a face: the largest speeds of both relative to the faces' mean velocity.
   double relative_speed(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target) {
     if (corners_.empty()) {
@@ -91,6 +113,7 @@ class NearFaces {
   Eigen::Vector3d mean_velocity_ = Eigen::Vector3d::Zero();
   double margin_ = -1, travelled_ = 0, speed_ = 0, step_reach_ = 0, last_reach_ = 0, largest_inverse_mass_ = 0;
   std::size_t sorts_ = 0;
+  std::vector<double> wakes_, first_wakes_;  // what has to be travelled first, of each face near a node, and of the node
 };
 
 }  // namespace strike::detail

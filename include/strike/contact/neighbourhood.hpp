@@ -14,19 +14,22 @@ namespace strike::detail {
 /// it within a thickness at the start. Plates that are only near, of another body or beyond a fold, are not among them.
 class Neighbourhood {
  public:
-  /// Of every node of the target, from the positions at the start; `depth` is the thickness [length].
-  void find(const Target& target, std::span<const Eigen::Vector3d> start, double depth) {
+  /// Of every node of the target, from the positions at the start.
+  void find(const Target& target, std::span<const Eigen::Vector3d> start) {
     first_.assign(start.size() + 1, 0), faces_.clear();
-    const double reach2 = 1.02 * depth * depth;
     std::vector<Index> chain;
     for (std::size_t i = 0; i < start.size(); ++i) {
       const auto node = static_cast<Index>(i);
+      const auto is_within_thickness = [&](Index face) {
+        const ClosestPoint point = target.closest(face, target.corners(face, start), start[i]);
+        const double depth = target.half(node) + target.half(face, point.N);
+        return point.distance2 < 1.02 * depth * depth;
+      };
       chain.assign(target.at(node).begin(), target.at(node).end());
       for (std::size_t k = 0; k < chain.size(); ++k)
         for (unsigned c = 0; c < target.count(chain[k]); ++c)
           for (const Index other : target.at(target.faces()[chain[k]][c]))
-            if (std::find(chain.begin(), chain.end(), other) == chain.end() &&
-                target.closest(other, target.corners(other, start), start[i]).distance2 < reach2)
+            if (std::find(chain.begin(), chain.end(), other) == chain.end() && is_within_thickness(other))
               chain.push_back(other);
       faces_.insert(faces_.end(), chain.begin(), chain.end());
       first_[i + 1] = faces_.size();

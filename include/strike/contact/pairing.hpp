@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,13 +35,25 @@ inline std::vector<Index> to_local(std::vector<Index> numbers, const ContactNode
 }
 /// A surface, whose corners are numbers in the scene, as the target of a contact.
 inline Target target_of(const Surface& surface, const ContactNodes& all) {
-  std::vector<FaceCorners> corners;
-  for (const Face& face : surface.faces()) {
-    corners.push_back(face.nodes);
-    for (Index& i : corners.back()) i = all.local(i);
+  std::vector<FaceCorners> faces, plates;
+  std::vector<double> thickness;
+  std::vector<Index> piece;
+  for (Index p = 0; p < surface.pieces().size(); ++p) {
+    const Surface::Piece& of = surface.pieces()[p];
+    for (const Face& face : of.faces) {
+      FaceCorners corners = face.nodes;
+      for (Index& i : corners) i = all.local(i);
+      faces.push_back(corners), thickness.push_back(of.thickness), piece.push_back(p);
+      if (of.thickness > 0) plates.push_back(corners);
+    }
   }
-  if (surface.thickness() > 0) face_one_side(corners);
-  return {std::move(corners), all.size()};
+  face_one_side(plates);
+  auto plate = plates.begin();
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (thickness[f] > 0) faces[f] = *plate++;
+  Target target(std::move(faces), all.size(), std::move(thickness));
+  target.keep_apart(surface.apart(), std::move(piece));
+  return target;
 }
 
 /// The meeting of nodes with surfaces, in one or two ways.
@@ -49,23 +62,21 @@ class SurfaceMeeting {
  public:
   explicit SurfaceMeeting(std::vector<Surface> surfaces) : surfaces_(std::move(surfaces)) {}
 
-  /// Adds the way of the nodes `numbers`, or if there are none those of the surface `from`, to the surface `target`.
-  void add(std::vector<Index> numbers, std::size_t from, std::size_t target, double thickness,
-           const ContactNodes& all) {
-    const Surface& other = surfaces_[target];
-    const bool fixed = !numbers.empty();
-    if (!fixed) numbers = surface_nodes(surfaces_[from].faces());
-    ways_.push_back({numbers, fixed, from, target});
-    approaches_.push_back(Approach<self>(to_local(numbers, all), target_of(other, all),
-                                         0.5 * (thickness + other.thickness()), other.thickness() > 0));
+  /// Adds the way of nodes, of plates of that thickness, to a surface.
+  void add(std::vector<Index> numbers, double thickness, std::size_t target, const ContactNodes& all) {
+    add(numbers, true, 0, target, std::vector<double>(all.size(), 0.5 * thickness), all);
+  }
+  /// Adds the way of the nodes of a surface to another.
+  void add(std::size_t from, std::size_t target, const ContactNodes& all) {
+    std::vector<double> half(all.size());
+    const Target own = target_of(surfaces_[from], all);
+    for (Index i = 0; i < all.size(); ++i) half[i] = own.half(i);
+    add(surface_nodes(surfaces_[from].faces()), false, from, target, std::move(half), all);
   }
 
   /// Adds the edges of a surface against those of another.
   void add_edges(std::size_t first, std::size_t second, const ContactNodes& all) {
-    const Surface &one = surfaces_[first], &other = surfaces_[second];
-    edges_.push_back(EdgeApproach<self>(target_of(one, all), target_of(other, all),
-                                        0.5 * (one.thickness() + other.thickness()),
-                                        {one.thickness() > 0, other.thickness() > 0}));
+    edges_.push_back(EdgeApproach<self>(target_of(surfaces_[first], all), target_of(surfaces_[second], all)));
     edged_ = {first, second};
   }
 
@@ -73,8 +84,9 @@ class SurfaceMeeting {
     for (auto& approach : approaches_) approach.begin(all, inside);
     for (auto& edges : edges_) edges.begin(all);
   }
-  void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs) {
-    for (auto& approach : approaches_) approach.find(all, step, pairs, rounding_);
+  template <class Execution>
+  void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, const Execution& execution) {
+    for (auto& approach : approaches_) approach.find(all, step, pairs, rounding_, execution);
     const auto touches = [&](Index i) {
       return std::any_of(approaches_.begin(), approaches_.end(), [&](const auto& to) { return to.touches(i); });
     };
@@ -99,9 +111,6 @@ class SurfaceMeeting {
     return sum;
   }
 
-  void check_parts(const std::vector<std::size_t>& elements) const {
-    for (const Surface& surface : surfaces_) surface.check_part(elements);
-  }
   /// Removes cells of a part from the surfaces. Nodes that come to the outside touch from now on, and nodes that have
   /// lost all their cells still do. Touches of other cells go on.
   void remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {
@@ -124,6 +133,13 @@ class SurfaceMeeting {
   }
 
  private:
+  void add(const std::vector<Index>& numbers, bool fixed, std::size_t from, std::size_t target,
+           std::vector<double> half, const ContactNodes& all) {
+    ways_.push_back({numbers, fixed, from, target});
+    approaches_.push_back(
+        Approach<self>(to_local(numbers, all), target_of(surfaces_[target], all), std::move(half)));
+  }
+
   struct Way {
     std::vector<Index> nodes;  // numbers in the scene
     bool fixed;                // given by the user, not those of a surface
@@ -152,12 +168,13 @@ struct NodeToSurface {
   Surface surface;
   double thickness = 0;  ///< of the plate that the nodes belong to, if any [length]
 
+  void see(std::span<const PartFaces> parts) const { surface.check_parts(parts); }
   std::vector<Index> numbers() const { return detail::ascending(nodes, surface.nodes()); }
   const std::vector<Index>& first() const { return nodes; }
   detail::SurfaceMeeting<false> start(const ContactNodes& all) const {
     if (nodes.empty()) throw Error("strike: a NodeToSurface has no nodes; give it some, such as surface_nodes(faces).");
     detail::SurfaceMeeting<false> meeting({surface});
-    meeting.add(detail::ascending(nodes), 0, 0, thickness, all);
+    meeting.add(detail::ascending(nodes), thickness, 0, all);
     return meeting;
   }
 };
@@ -166,12 +183,15 @@ struct NodeToSurface {
 struct TwoWay {
   Surface first_surface, second_surface;
 
+  void see(std::span<const PartFaces> parts) const {
+    first_surface.check_parts(parts), second_surface.check_parts(parts);
+  }
   std::vector<Index> numbers() const { return detail::ascending(first_surface.nodes(), second_surface.nodes()); }
   std::vector<Index> first() const { return first_surface.nodes(); }
   detail::SurfaceMeeting<false> start(const ContactNodes& all) const {
     detail::SurfaceMeeting<false> meeting({first_surface, second_surface});
-    meeting.add({}, 0, 1, first_surface.thickness(), all);
-    meeting.add({}, 1, 0, second_surface.thickness(), all);
+    meeting.add(0, 1, all);
+    meeting.add(1, 0, all);
     meeting.add_edges(0, 1, all);
     return meeting;
   }
@@ -182,13 +202,59 @@ struct TwoWay {
 struct SelfContact {
   Surface surface;
 
+  void see(std::span<const PartFaces> parts) const { surface.check_parts(parts); }
   std::vector<Index> numbers() const { return surface.nodes(); }
   std::vector<Index> first() const { return surface.nodes(); }
   detail::SurfaceMeeting<true> start(const ContactNodes& all) const {
     detail::SurfaceMeeting<true> meeting({surface});
-    meeting.add({}, 0, 0, surface.thickness(), all);
+    meeting.add(0, 0, all);
     meeting.add_edges(0, 0, all);
     return meeting;
+  }
+};
+
+/// The pairing of all parts of the scene with each other and each with itself: the outside of solids and the faces that
+/// deletions expose, plates at half their thickness from where their Offset puts them. Plates within a thickness of a
+/// node at the start are its neighbourhood, as in SelfContact.
+struct Everything {
+  /// Pairs of parts, by their places, that do not touch each other; a part with itself: it does not fold.
+  std::vector<std::array<std::size_t, 2>> except{};
+  std::optional<Surface> surface{};  ///< of all parts, found when a run begins
+
+  void see(std::span<const PartFaces> parts) { surface = surface_of(parts); }
+  std::vector<Index> numbers() const { return surface ? surface->nodes() : std::vector<Index>{}; }
+  std::vector<Index> first() const { return numbers(); }
+  detail::SurfaceMeeting<true> start(const ContactNodes& all) const {
+    if (!surface)
+      throw Error("strike: Contact{Everything{}} finds no part that is made of hexahedra, tetrahedra or plates.");
+    return SelfContact{*surface}.start(all);
+  }
+
+ private:
+  std::optional<Surface> surface_of(std::span<const PartFaces> parts) const {
+    const bool solids_erode = std::any_of(
+        parts.begin(), parts.end(), [](const PartFaces& part) { return part.erodes && !(part.thickness > 0); });
+    std::optional<Surface> all;
+    std::vector<Index> piece(parts.size());
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      if (parts[p].faces.empty()) continue;
+      piece[p] = all ? static_cast<Index>(all->pieces().size()) : 0;
+      Surface own({.thickness = parts[p].thickness, .part = p, .cells = parts[p].cells, .erodes = true,
+                   .of_cells = parts[p].faces});
+      all = all ? *all + own : own;
+    }
+    if (!all) return all;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      if (!(parts[p].thickness > 0 ? parts[p].erodes : solids_erode)) all->settle(p);
+    for (const auto& [p, q] : except) {
+      for (const std::size_t named : {p, q})
+        if (named >= parts.size())
+          throw Error(detail::joined({"strike: Everything excepts part ", std::to_string(named),
+                                      ", but the scene has ", std::to_string(parts.size()),
+                                      parts.size() == 1 ? " part" : " parts", "; count its parts from 0."}));
+      all->keep_apart(piece[p], piece[q]);
+    }
+    return all;
   }
 };
 
@@ -230,7 +296,9 @@ struct NodeToRigid<RigidSurface> {
       }
     }
     if (faces.empty()) throw Error("strike: a RigidSurface has no faces; give it some, such as surface(mesh).");
-    return {detail::to_local(numbers(), all), {std::move(faces), all.size()}, 0.5 * thickness, false};
+    return {detail::to_local(numbers(), all),
+            {std::move(faces), all.size()},
+            std::vector<double>(all.size(), 0.5 * thickness)};
   }
 };
 template <class Body>

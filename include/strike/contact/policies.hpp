@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -37,8 +38,8 @@ enum class ContactFlaw {
   clearance,
   pairing,
   points,
+  see,
   remove,
-  check_parts,
   closing_step,
   press,
   kappa,
@@ -56,9 +57,9 @@ constexpr ContactFlaw contact_flaw() {
     return ContactFlaw::pairing;
   } else {
     if (nearly<Points, const P>) return ContactFlaw::points;
+    if (nearly<See, P, std::span<const PartFaces>>) return ContactFlaw::see;
     if (nearly<Remove, MeetingOf<P>, const std::size_t, const std::vector<bool>, const ContactNodes>)
       return ContactFlaw::remove;
-    if (nearly<CheckParts, const MeetingOf<P>, const std::vector<std::size_t>>) return ContactFlaw::check_parts;
     if (nearly<ClosingStep, MeetingOf<P>, const ContactNodes, double, double>) return ContactFlaw::closing_step;
     if (((HasName<Press, Policies> && !ContactLaw<Policies>) || ...)) return ContactFlaw::press;
     if (((ContactLaw<Policies> && nearly<Kappa, const Policies, double>) || ...)) return ContactFlaw::kappa;
@@ -102,9 +103,8 @@ constexpr void refuse_contact() {
   static_assert(flaw != remove,
                 "strike: the remove of what this pairing starts does not fit; write remove(std::size_t part, const "
                 "std::vector<bool>& alive, const ContactNodes& nodes).");
-  static_assert(flaw != check_parts,
-                "strike: the check_parts of what this pairing starts does not fit; write check_parts(const "
-                "std::vector<std::size_t>& elements) const.");
+  static_assert(flaw != see,
+                "strike: the see of this pairing does not fit; write void see(std::span<const PartFaces> parts).");
   static_assert(flaw != closing_step,
                 "strike: the closing_step of what this pairing starts does not fit; write double closing_step(const "
                 "ContactNodes& nodes, double moved, double dt).");

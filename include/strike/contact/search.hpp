@@ -59,6 +59,10 @@ class BucketSearch {
 
   /// The faces near nodes[s], in ascending order.
   std::span<const Index> near(std::size_t s) const { return {near_.data() + begin_[s], begin_[s + 1] - begin_[s]}; }
+  /// The place of the first of them among those of all nodes; their number, and that of the nodes.
+  std::size_t first(std::size_t s) const { return begin_[s]; }
+  std::size_t size() const { return near_.size(); }
+  std::size_t nodes() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   /// The places in the list of the nodes that have a face near.
   const std::vector<Index>& awake() const { return awake_; }
 

@@ -27,14 +27,18 @@ struct Foot {
   bool on_border = false;                            ///< at an edge that no other face shares
 };
 
-/// Faces that nodes may touch, with their neighbours.
+/// Faces that nodes may touch, with their neighbours: those of solids from outside, plates from both sides at half their
+/// thickness, which goes evenly from node to node over a face.
 class Target {
  public:
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   Target() = default;
-  /// Faces by their corners among n ContactNodes; a triangle repeats its third corner.
-  Target(std::vector<FaceCorners> faces, std::size_t n) : faces_(std::move(faces)), first_(n + 1, 0) {
+  /// Faces by their corners among n ContactNodes; a triangle repeats its third corner. Of each, or of none, the
+  /// thickness of its plate, 0 of a solid [length].
+  Target(std::vector<FaceCorners> faces, std::size_t n, std::vector<double> thickness = {})
+      : faces_(std::move(faces)), thickness_(std::move(thickness)), first_(n + 1, 0) {
+    thickness_.resize(faces_.size());
     const auto each_corner = [&](auto f) {
       for (std::size_t k = 0; k < faces_.size(); ++k)
         for (unsigned i = 0; i < count(k); ++i) f(k, faces_[k][i]);
@@ -47,6 +51,7 @@ class Target {
     across_.resize(faces_.size());
     for (std::size_t k = 0; k < faces_.size(); ++k)
       for (unsigned i = 0; i < 4; ++i) across_[k][i] = i < count(k) ? find_across(k, i) : none;
+    find_halves();
   }
 
   const std::vector<FaceCorners>& faces() const { return faces_; }
@@ -54,10 +59,40 @@ class Target {
   bool has(Index face, Index node) const {
     return std::find(faces_[face].begin(), faces_[face].end(), node) != faces_[face].end();
   }
+  /// Leaves out the contact of pieces; `piece` is that of each face.
+  void keep_apart(std::vector<std::array<Index, 2>> pieces, std::vector<Index> piece) {
+    apart_ = std::move(pieces), piece_ = std::move(piece);
+  }
+  /// False for a node of the surface and a face whose pieces are kept apart.
+  bool may_touch(Index node, Index face) const {
+    return apart_.empty() || at(node).empty() || std::any_of(at(node).begin(), at(node).end(), [&](Index own) {
+             return !are_apart(own, face);
+           });
+  }
+  bool are_apart(Index face, Index other) const {
+    return std::any_of(apart_.begin(), apart_.end(), [&](const std::array<Index, 2>& pair) {
+      return (pair[0] == piece_[face] && pair[1] == piece_[other]) ||
+             (pair[1] == piece_[face] && pair[0] == piece_[other]);
+    });
+  }
+  bool is_plate(Index face) const { return thickness_[face] > 0; }
+  bool are_alike(Index face, Index other) const { return is_plate(face) == is_plate(other); }
+  /// Half the thickness of the plates at a node, their mean; 0 of solids [length].
+  double half(Index node) const { return half_[node]; }
+  /// The largest half of a thickness [length].
+  double largest_half() const { return half_.empty() ? 0 : *std::max_element(half_.begin(), half_.end()); }
+  /// How far the surface of a face is from its middle at shape functions N, 0 of solids [length].
+  double half(Index face, const std::array<double, 4>& N) const {
+    if (!is_plate(face)) return 0;
+    double sum = 0;
+    for (unsigned k = 0; k < count(face); ++k) sum += N[k] * half_[faces_[face][k]];
+    return sum;
+  }
   /// The faces that have a node as a corner.
   std::span<const Index> at(Index node) const { return {at_.data() + first_[node], first_[node + 1] - first_[node]}; }
 
-  /// The face beyond edge i of a face, from its corner i to the next; `none` at a border.
+  /// The face beyond edge i of a face, from its corner i to the next, a plate beyond a plate and a solid's beyond a
+  /// solid's; `none` at a border.
   Index across(Index face, unsigned i) const { return across_[face][i]; }
 
   /// The face with these corners, from either side; `none` if there is none.
@@ -120,16 +155,24 @@ class Target {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(faces_, across_, first_, at_);
+    archive(faces_, across_, thickness_, half_, piece_, first_, at_);
   }
 
  private:
-  /// The face beyond edge i of face k.
+  /// The face beyond edge i of face k: of a solid beyond that of a solid, a plate beyond a plate.
   Index find_across(std::size_t k, unsigned i) const {
     const Index a = faces_[k][i], b = faces_[k][(i + 1) % count(k)];
     for (const Index other : at(a))
-      if (other != k && has(other, b)) return other;
+      if (other != k && has(other, b) && are_alike(static_cast<Index>(k), other)) return other;
     return none;
+  }
+  void find_halves() {
+    half_.assign(first_.size() - 1, 0.0);
+    for (Index i = 0; i < half_.size(); ++i) {
+      double plates = 0;
+      for (const Index face : at(i)) half_[i] += 0.5 * thickness_[face], plates += is_plate(face) ? 1 : 0;
+      if (plates > 0) half_[i] /= plates;
+    }
   }
 
   /// A vector to the outside at an edge or a corner; sets `on_border`.
@@ -144,6 +187,7 @@ class Target {
     const Index corner = faces_[foot.face][point.which];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Index face : at(corner)) {
+      if (!are_alike(foot.face, face)) continue;
       const Corners Y = corners(face, x);
       const unsigned n = count(face);
       for (unsigned i = 0; i < n; ++i) {
@@ -158,6 +202,10 @@ class Target {
   static Eigen::Vector3d mean_normal(const Corners& X) { return direction(cross<double>(X[2] - X[0], X[3] - X[1])); }
 
   std::vector<FaceCorners> faces_, across_;
+  std::vector<double> thickness_;  // of each face
+  std::vector<std::array<Index, 2>> apart_;  // pieces that do not touch
+  std::vector<Index> piece_;                 // of each face, where some are apart
+  std::vector<double> half_;  // of each node
   std::vector<std::size_t> first_;
   std::vector<Index> at_;
 };

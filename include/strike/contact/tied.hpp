@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/select.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
@@ -38,10 +40,11 @@ class Tied {
   }
 
   template <class N>
-  void begin(const N& nodes) {
+  void begin(const N& nodes, std::span<const PartFaces> parts = {}) {
+    if (!parts.empty()) surface_.check_parts(parts);
     detail::refuse_dual_numbers<N>();
     if constexpr (detail::is_plain<N>) {
-      all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {});
+      all_.begin(nodes, detail::ascending(nodes_, surface_nodes(surface_.faces())), {}, {});
       tie();
     }
   }
@@ -50,7 +53,7 @@ class Tied {
   void resolve_contact(N& nodes, const Step& step, Ledger& ledger)
     requires detail::is_plain<N>
   {
-    all_.gather(nodes);
+    all_.gather(nodes, Serial{});
     all_.find_held_directions(nodes);
     all_.gather_forces(nodes, ties_, step.kick());
     double fastest = 0;
@@ -69,14 +72,12 @@ class Tied {
     if (!surface_.is_of(part)) return;
     std::size_t left = 0;
     for (std::size_t k = 0; k < ties_.size(); ++k)
-      if (alive.at(surface_.faces()[faces_[k]].cell)) ties_[left] = ties_[k], faces_[left] = faces_[k], ++left;
+      if (cells_[faces_[k]].part != part || alive.at(cells_[faces_[k]].number))
+        ties_[left] = ties_[k], faces_[left] = faces_[k], ++left;
     ties_.resize(left), faces_.resize(left);
   }
   /// Number of the nodes that are tied.
   std::size_t size() const { return ties_.size(); }
-
-  /// Error: a surface of a part, or of cells, that the scene does not have.
-  void check_parts(const std::vector<std::size_t>& elements) const { surface_.check_part(elements); }
 
   /// The force on the tied nodes in the last step.
   Eigen::Vector3d force() const {
@@ -97,6 +98,8 @@ class Tied {
   /// Finds the place of every node on the surface.
   void tie() {
     target_ = detail::target_of(surface_, all_);
+    for (const Surface::Piece& piece : surface_.pieces())
+      for (const Face& face : piece.faces) cells_.push_back({piece.part, face.cell});
     const std::vector<Index> local = detail::to_local(nodes_, all_);
     if (!(tolerance_ > 0)) tolerance_ = 0.1 * target_.mean_size(all_.x);
     detail::BucketSearch search;
@@ -156,6 +159,11 @@ class Tied {
 
   std::vector<Index> nodes_, faces_;
   Surface surface_;
+  struct Cell {
+    std::optional<std::size_t> part;
+    Index number;
+  };
+  std::vector<Cell> cells_;  // of the faces of the surface
   double tolerance_;
   ContactNodes all_;
   detail::Target target_;

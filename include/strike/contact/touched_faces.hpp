@@ -25,11 +25,24 @@ struct Place {
 /// Faces that nodes may touch, at what distance and from which sides.
 struct TouchedFaces {
   Target target;
-  double depth = 0;        ///< between the middle surfaces of touching plates, 0 of solids [length]
-  bool two_sided = false;  ///< plates: touched from both sides
-  double size = 0;         ///< mean diagonal of a face at the start [length]
+  std::vector<double> half;  ///< half the thickness of the plate that a node belongs to, 0 of solids [length]
+  double size = 0;           ///< mean diagonal of a face at the start [length]
 
-  Reach reach() const { return {depth, 1e-6 * size, two_sided, 0}; }
+  /// The distance from node i at which it touches face f at shape functions N [length].
+  double depth(Index i, Index f, const std::array<double, 4>& N) const { return half[i] + target.half(f, N); }
+  /// A node of a plate or the face of one: they touch at a distance from their middle.
+  bool is_at_a_distance(Index i, Index f) const { return half[i] > 0 || target.is_plate(f); }
+  /// The largest such distance [length].
+  double largest_depth() const {
+    return (half.empty() ? 0.0 : *std::max_element(half.begin(), half.end())) + target.largest_half();
+  }
+  double tolerance() const { return 1e-6 * size; }
+  Reach reach(Index i, Index f) const {
+    Reach reach{.own = half[i], .tolerance = tolerance(), .two_sided = target.is_plate(f)};
+    if (reach.two_sided)
+      for (unsigned k = 0; k < target.count(f); ++k) reach.of_corners[k] = target.half(target.faces()[f][k]);
+    return reach;
+  }
   /// By how much a node may be inside a face to which it passes round an edge [length].
   double slack() const { return 0.05 * size; }
 
@@ -52,12 +65,15 @@ struct TouchedFaces {
     for (unsigned k = 0; k < target.count(f); ++k) way -= N[k] * all.x[target.faces()[f][k]];
     return way;
   }
-  /// Calls g(other) for the faces around face f, itself among them; some come more than once.
+  /// Calls g(other) for the faces of its kind around face f, itself among them; some come more than once.
   template <class G>
   void each_around(Index f, const G& g) const {
     for (unsigned k = 0; k < target.count(f); ++k)
-      for (const Index other : target.at(target.faces()[f][k])) g(other);
+      for (const Index other : target.at(target.faces()[f][k]))
+        if (target.are_alike(f, other)) g(other);
   }
+  /// They are of one kind and share a corner.
+  bool go_together(Index f, Index other) const { return target.are_alike(f, other) && are_connected(f, other); }
   bool are_connected(Index f, Index other) const {
     const auto& c = target.faces()[f];
     return std::any_of(c.begin(), c.end(), [&](Index corner) { return target.has(other, corner); });

@@ -155,8 +155,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     this->check_masses();
     this->complete_inertia();
     moved_by_rounding_ = this->moved_by_rounding();
-    this->each([&](auto& item) { detail::call_if_present<detail::item::Begin>(item, this->nodes_); });
-    this->check_parts();
+    this->begin_items();
     ledger_.kinetic = detail::kinetic_energy(this->nodes_);
     this->each([&](auto& item) {
       if constexpr (is_running_part<decltype(item)>) ledger_.internal.book(item.stored_energy());
@@ -208,8 +207,9 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
 
   void resolve_contact() {
-    this->each(
-        [&](auto& item) { detail::call_if_present<detail::item::ResolveContact>(item, this->nodes_, step_, ledger_); });
+    this->each([&](auto& item) {
+      detail::call_if_present<detail::item::ResolveContact>(item, this->nodes_, step_, ledger_, execution_);
+    });
   }
 
   /// Closes the balance at the time n and starts the next.

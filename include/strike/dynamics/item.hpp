@@ -1,9 +1,12 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <type_traits>
 #include <vector>
 
+#include <strike/mesh/part_faces.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/protocol.hpp>
@@ -15,21 +18,23 @@ namespace strike {
 // Requirements. An item has at least one of the functions 1 to 6, and may have the others. A step calls them in this
 // order, and one function of all items in the order of the scene. `nodes` are strike/motion/nodes.hpp's, in the numbers
 // of the run: take them as a template parameter.
-//  1. begin(nodes)                           once, when the masses are known: initial velocities, held directions
+//  1. begin(nodes)                           once, when the masses are known: initial velocities, held directions; or
+//     begin(nodes, parts)                    with the std::span<const PartFaces> of the scene, from which it learns of
+//                                            cells; throws an Error if the item names parts or cells of others
 //  2. stable_step(dt, nodes) -> double       the step that is left of the elements' stable dt; `nodes` may be left out
 //  3. apply_loads(nodes, time)               adds forces at the new positions, by nodes.add_force;
 //     power(nodes) -> double                 and their power at the present velocities, for the balance: both or
 //     neither
 //  4. constrain(nodes, step, ledger)         sets the velocities of the coming step along directions that it has taken
 //                                            from its nodes by nodes.hold in begin
-//  5. resolve_contact(nodes, step, ledger)   corrects the velocities along directions that are nodes.free
+//  5. resolve_contact(nodes, step, ledger)   corrects the velocities along directions that are nodes.free; or
+//     resolve_contact(nodes, step, ledger, execution)
+//                                            which may use the Execution of the run
 //  6. remove(part, alive)                    after a step that has deleted elements, once for each such part: `part` is
 //                                            its number, alive[e] is false once its element e is deleted
-//  7. check_parts(elements)                  once, after begin: elements[p] is the number of elements of part p, a
-//                                            std::vector<std::size_t>; throws an Error if the item names others
-//  8. warning() -> std::string               a sentence that the user should read before the results; empty: none
-//  9. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
-// 10. LoadHistory                            the type of what it calls as history(time) for a number, if it does
+//  7. warning() -> std::string               a sentence that the user should read before the results; empty: none
+//  8. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
+//  9. LoadHistory                             the type of what it calls as history(time) for a number, if it does
 //
 // Laws. Work that enters or leaves the nodes is booked, by the ledger or by power. The result does not depend on how
 // nodes lie in memory: an item names them by their numbers. An item that changes no velocity and no force changes no
@@ -45,7 +50,14 @@ struct Begin {
   };
   template <class Item>
   using Member = decltype(&Item::begin);
-  static auto call(auto& item, auto& nodes) -> decltype(item.begin(nodes)) { return item.begin(nodes); }
+  static auto call(auto& item, auto& nodes, std::span<const PartFaces> parts)
+    requires requires { item.begin(nodes, parts); } || requires { item.begin(nodes); }
+  {
+    if constexpr (requires { item.begin(nodes, parts); })
+      item.begin(nodes, parts);
+    else
+      item.begin(nodes);
+  }
 };
 struct StableStep {
   struct Decoy {
@@ -103,9 +115,15 @@ struct ResolveContact {
   };
   template <class Item>
   using Member = decltype(&Item::resolve_contact);
-  static auto call(auto& item, auto& nodes, const Step& step, Ledger& ledger)
-      -> decltype(item.resolve_contact(nodes, step, ledger)) {
-    return item.resolve_contact(nodes, step, ledger);
+  template <class Execution = Serial>
+  static void call(auto& item, auto& nodes, const Step& step, Ledger& ledger, const Execution& execution = {})
+    requires requires { item.resolve_contact(nodes, step, ledger, execution); } ||
+             requires { item.resolve_contact(nodes, step, ledger); }
+  {
+    if constexpr (requires { item.resolve_contact(nodes, step, ledger, execution); })
+      item.resolve_contact(nodes, step, ledger, execution);
+    else
+      item.resolve_contact(nodes, step, ledger);
   }
 };
 struct Remove {
@@ -116,16 +134,6 @@ struct Remove {
   using Member = decltype(&Item::remove);
   static auto call(auto& item, std::size_t part, const std::vector<bool>& alive) -> decltype(item.remove(part, alive)) {
     return item.remove(part, alive);
-  }
-};
-struct CheckParts {
-  struct Decoy {
-    int check_parts;
-  };
-  template <class Item>
-  using Member = decltype(&Item::check_parts);
-  static auto call(const auto& item, const std::vector<std::size_t>& elements) -> decltype(item.check_parts(elements)) {
-    return item.check_parts(elements);
   }
 };
 struct Warning {
@@ -169,7 +177,6 @@ enum class Fault {
   constrain,
   resolve_contact,
   remove,
-  check_parts,
   warning,
   history
 };
@@ -184,7 +191,7 @@ template <class Item, class N>
 constexpr Fault fault() {
   using Part = const std::size_t;
   using Alive = const std::vector<bool>;
-  if constexpr (misses<Begin, Item, N>) return Fault::begin;
+  if constexpr (misses<Begin, Item, N, const std::span<const PartFaces>>) return Fault::begin;
   if constexpr (misses<StableStep, Item, double, const N>) return Fault::stable_step;
   if constexpr (misses<ApplyLoads, Item, N, double>) return Fault::apply_loads;
   if constexpr (has<ApplyLoads, Item, N, double>) {
@@ -200,11 +207,10 @@ constexpr Fault fault() {
                 (MistakesResolveContact<Item, N> && !has<ResolveContact, Item, N, const Step, Ledger>))
     return Fault::resolve_contact;
   if constexpr (misses<Remove, Item, Part, Alive>) return Fault::remove;
-  if constexpr (misses<CheckParts, const Item, const std::vector<std::size_t>>) return Fault::check_parts;
   if constexpr (misses<Warning, const Item>) return Fault::warning;
   if constexpr (requires { typename Item::LoadHistory; })
     if constexpr (!History<typename Item::LoadHistory>) return Fault::history;
-  if constexpr (!(has<Begin, Item, N> || has<StableStep, Item, double, const N> || has<ApplyLoads, Item, N, double> ||
+  if constexpr (!(has<Begin, Item, N, const std::span<const PartFaces>> || has<StableStep, Item, double, const N> || has<ApplyLoads, Item, N, double> ||
                   has<Constrain, Item, N, const Step, Ledger> || has<ResolveContact, Item, N, const Step, Ledger> ||
                   has<Remove, Item, Part, Alive>))
     return Fault::no_function;

@@ -74,8 +74,8 @@ struct CheckedItem {
       "stable_step(dt, nodes), apply_loads(nodes, time), constrain(nodes, step, ledger), resolve_contact(nodes, step, "
       "ledger) and remove(part, alive); see strike/dynamics/item.hpp.");
   static_assert(fault != item::Fault::begin,
-                "strike: begin of an item is called as begin(nodes), with the nodes of the run: take their type as a "
-                "template parameter.");
+                "strike: begin of an item is called as begin(nodes), or as begin(nodes, parts) with a std::span<const "
+                "PartFaces>, with the nodes of the run: take their type as a template parameter.");
   static_assert(
       fault != item::Fault::stable_step,
       "strike: stable_step of an item is called as stable_step(dt, nodes) or stable_step(dt), and returns a step.");
@@ -98,9 +98,6 @@ struct CheckedItem {
   static_assert(fault != item::Fault::remove,
                 "strike: remove of an item is called as remove(part, alive), with the number of a part and a "
                 "std::vector<bool> by its elements.");
-  static_assert(fault != item::Fault::check_parts,
-                "strike: check_parts of an item is a constant function, called as check_parts(elements), with a "
-                "std::vector<std::size_t> of the number of elements of each part.");
   static_assert(fault != item::Fault::warning,
                 "strike: warning of an item is a constant function, called as warning(), that returns a sentence.");
   static_assert(fault != item::Fault::history,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -11,12 +12,14 @@
 #include <Eigen/Core>
 
 #include <strike/dynamics/arrangement.hpp>
+#include <strike/dynamics/faces_of_part.hpp>
 #include <strike/dynamics/ill_formed_run.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
+#include <strike/mesh/part_faces.hpp>
 #include <strike/motion/central_differences.hpp>
 #include <strike/text.hpp>
 
@@ -111,11 +114,12 @@ class RunningScene {
     return values;
   }
 
-  /// Errors: an item that names a part, or elements of a part, that the scene does not have.
-  void check_parts() const {
-    std::vector<std::size_t> elements;
-    each_part([&](const auto& part) { elements.push_back(part.size()); });
-    each([&](const auto& item) { call_if_present<item::CheckParts>(item, elements); });
+  /// Errors: those of the items.
+  void begin_items() {
+    std::vector<PartFaces> parts;
+    each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
+    const std::span<const PartFaces> all(parts);
+    each([&](auto& item) { call_if_present<item::Begin>(item, nodes_, all); });
   }
   /// Error: a node without mass.
   void check_masses() const {

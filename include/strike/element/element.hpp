@@ -29,6 +29,9 @@ constexpr bool flows() {
   else
     return false;
 }
+/// The element is a surface: a plate or a membrane.
+template <class E>
+inline constexpr bool is_flat = turns_nodes<E>() || std::same_as<typename E::Kinematics, PlaneStressKinematics>;
 /// Number of the vectors that tell the motion of an element: the velocities of its nodes, and if these turn their
 /// angular velocities behind them. As many tell its forces, and moments.
 template <class E>

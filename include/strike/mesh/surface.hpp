@@ -56,9 +56,9 @@ void append_faces(std::vector<Face>& faces, const Cells<N>& cells,
       faces.push_back({{cells[e][a], cells[e][b], cells[e][c], cells[e][d]}, static_cast<Index>(first_cell + e)});
 }
 
-/// The faces that no other face of the list coincides with, in the order of the list; linear in their number. Error: a
-/// face shared by three cells.
-inline std::vector<Face> unshared(const std::vector<Face>& faces) {
+/// The places of the faces that no other face of the list coincides with, in ascending order; linear in their number.
+/// Error: a face shared by three cells.
+inline std::vector<std::size_t> places_of_unshared(const std::vector<Face>& faces) {
   // Two cells share a face if it has the same corners in any order: bucket the faces by their lowest corner (counting
   // sort), then compare the few in each bucket.
   using Key = std::array<Index, 4>;
@@ -90,9 +90,15 @@ inline std::vector<Face> unshared(const std::vector<Face>& faces) {
                " share a face (nodes ", std::to_string(key[order[i]][0]), ", ", std::to_string(key[order[i]][1]), ", ",
                std::to_string(key[order[i]][2]), ", ...) with a third cell; remove the duplicate."}));
 
-  std::vector<Face> boundary;
+  std::vector<std::size_t> places;
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (copies[f] == 1) boundary.push_back(faces[f]);
+    if (copies[f] == 1) places.push_back(f);
+  return places;
+}
+/// The faces that no other face of the list coincides with.
+inline std::vector<Face> unshared(const std::vector<Face>& faces) {
+  std::vector<Face> boundary;
+  for (const std::size_t f : places_of_unshared(faces)) boundary.push_back(faces[f]);
   return boundary;
 }
 

@@ -203,9 +203,7 @@ void write_vtu(const std::string& path, const Run& run) {
     const auto all = part.cells(run.nodes());
     const std::vector<SymmetricTensor<double>> stress = part.field(StressTensor{});
     const std::vector<double> plastic_strain = part.field(PlasticStrain{});
-    constexpr bool flat = turns_nodes<typename Part::Element>() ||
-                          std::same_as<typename Part::Element::Kinematics, PlaneStressKinematics>;
-    constexpr auto kind = detail::VtuCells::kind(Part::n, !flat);
+    constexpr auto kind = detail::VtuCells::kind(Part::n, !is_flat<typename Part::Element>);
     for (std::size_t e = 0; e < all.size(); ++e) {
       if (!alive[e]) continue;
       cells.add(all[e], kind);

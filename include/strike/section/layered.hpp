@@ -85,6 +85,8 @@ class Layered {
 
   double density() const { return integrals_.mass; }
   double thickness() const { return thickness_; }
+  /// Of its middle from the surface of the nodes [length].
+  double offset() const { return offset_; }
   double rotary_inertia() const { return integrals_.rotary_inertia; }
   std::size_t layers() const { return layers_; }
   /// The closed form of its elastic layers, and the stiffness that the policy makes of it.
@@ -249,6 +251,7 @@ class Layered {
 
   /// Heights, weights, integrals over the thickness, and transverse shear.
   [[gnu::cold]] void measure(double offset) {
+    offset_ = offset;
     each_piece([&](auto i) {
       const auto& piece = detail::get<i>(pieces_);
       const std::size_t count = detail::Piece<std::remove_cvref_t<decltype(piece)>>::count(piece);
@@ -296,7 +299,7 @@ class Layered {
   [[no_unique_address]] Shear shear_;
   TransverseShear<double> elastic_shear_;
   detail::SectionIntegrals integrals_;
-  double thickness_ = 0, shear_stiffness_ = 0;
+  double thickness_ = 0, offset_ = 0, shear_stiffness_ = 0;
   std::size_t layers_ = 0;
 };
 

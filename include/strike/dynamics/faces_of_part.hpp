@@ -1,0 +1,28 @@
+#pragma once
+#include <cstddef>
+
+#include <strike/element/element.hpp>
+#include <strike/mesh/part_faces.hpp>
+#include <strike/mesh/surface.hpp>
+
+namespace strike::detail {
+
+/// The cells of a part at work, for other items of its scene. Plates are quadrilaterals whose section has a thickness.
+template <class Part, class Nodes>
+PartFaces faces_of(const Part& part, const Nodes& nodes) {
+  PartFaces known{.cells = part.size(), .faces = {}, .erodes = Part::erodes};
+  if constexpr (Part::n == 8) {
+    append_faces(known.faces, part.cells(nodes), hexahedron_faces, 0);
+  } else if constexpr (Part::n == 4) {
+    if constexpr (is_flat<typename Part::Element>) {
+      if constexpr (requires { double{part.material().thickness()}; })
+        known.faces = quadrilateral_surface(part.cells(nodes)), known.thickness = part.material().thickness();
+      if constexpr (requires { double{part.material().offset()}; }) known.offset = part.material().offset();
+    } else {
+      append_faces(known.faces, part.cells(nodes), tetrahedron_faces, 0);
+    }
+  }
+  return known;
+}
+
+}  // namespace strike::detail
