@@ -160,8 +160,7 @@ class Approach {
     std::size_t touch = 0;
     auto awake = near_.awake().begin();
     while (touch < touches_.size() || awake != near_.awake().end()) {
-      const bool touches =
-          touch < touches_.size() && (awake == near_.awake().end() || touches_[touch].node <= *awake);
+      const bool touches = touch < touches_.size() && (awake == near_.awake().end() || touches_[touch].node <= *awake);
       const Index s = touches ? touches_[touch].node : *awake;
       if (awake != near_.awake().end() && *awake == s) ++awake;
       const std::size_t first = touch;
@@ -258,7 +257,7 @@ class Approach {
   std::vector<Chosen> chosen_;         // in this step
   std::vector<Found> found_;           // by their chunks
   NearFaces<self> near_;
-  double depth_ = 0;  // the largest at which a node touches a face [length]
+  double depth_ = 0;                    // the largest at which a node touches a face [length]
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
   Neighbourhood neighbourhood_;
 };

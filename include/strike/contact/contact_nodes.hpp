@@ -179,9 +179,7 @@ class ContactNodes {
     std::vector<Eigen::Vector3d> sum(number_.size(), Eigen::Vector3d{0, 0, 0});
     std::vector<int> plates(number_.size(), 0);
     for (const PlateBeside& plate : beside_) {
-      const auto at = [&](std::size_t k) -> Eigen::Vector3d {
-        return N::vector_of(nodes.position()[plate.places[k]]);
-      };
+      const auto at = [&](std::size_t k) -> Eigen::Vector3d { return N::vector_of(nodes.position()[plate.places[k]]); };
       const Eigen::Vector3d along = plate.offset * direction(cross<double>(at(2) - at(0), at(3) - at(1)));
       for (const Index i : plate.nodes)
         if (i < size()) sum[i] += along, ++plates[i];

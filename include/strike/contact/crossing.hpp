@@ -34,10 +34,10 @@ struct Motion {
 
 /// How near nodes and faces must come to meet, and from which sides.
 struct Reach {
-  double own = 0;                        ///< half the thickness of the node's plate, 0 of solids [length]
-  std::array<double, 4> of_corners{};    ///< of the face's plate at its corners
-  double tolerance = 0;                  ///< within which a point counts as on a face or its edge [length]
-  bool two_sided = false;                ///< the face is a plate
+  double own = 0;                      ///< half the thickness of the node's plate, 0 of solids [length]
+  std::array<double, 4> of_corners{};  ///< of the face's plate at its corners
+  double tolerance = 0;                ///< within which a point counts as on a face or its edge [length]
+  bool two_sided = false;              ///< the face is a plate
   double slack = 0;  ///< by which a node may be inside at the start, if it comes from next to the face [length]
 
   /// The distance of both middles when they touch, where the face has the shape functions N [length].

@@ -275,8 +275,7 @@ class EdgeApproach {
   /// plates are.
   double side_of(const Edge& first, const Edge& second, const Eigen::Vector3d& normal, const Eigen::Vector3d& apart,
                  const ContactNodes& all) const {
-    if (targets_[0].is_plate(first.face) || targets_[1].is_plate(second.face))
-      return normal.dot(apart) < 0 ? -1 : 1;
+    if (targets_[0].is_plate(first.face) || targets_[1].is_plate(second.face)) return normal.dot(apart) < 0 ? -1 : 1;
     return normal.dot(outside(targets_[1], second, all) - outside(targets_[0], first, all)) < 0 ? -1 : 1;
   }
   static Eigen::Vector3d outside(const Target& target, const Edge& edge, const ContactNodes& all) {

@@ -58,6 +58,10 @@ class FirstTouch {
     const auto is_within = [&](double far) {
       return height * height <= 2 * (far * far + (is_triangle ? 0 : warp2)) * area2;
     };
+    for (const Touch& touch : touches_) {  // a face that goes on from one that the node touches
+      const double cosine = touch.normal.dot(area);
+      if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.go_together(f, touch.face))) return 0;
+    }
     // Outside of a sphere around the face, or of a layer along it.
     const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm()),
                  warp = std::sqrt(warp2);
@@ -65,10 +69,6 @@ class FirstTouch {
                                       std::abs(height) / std::sqrt(area2) - (is_triangle ? 0 : warp)) -
                              deep;
     if (clearance > farthest_) return clearance;
-    for (const Touch& touch : touches_) {
-      const double cosine = touch.normal.dot(area);
-      if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.go_together(f, touch.face))) return 0;
-    }
     const bool is_at = is_within(deep + reach.tolerance);
     const bool is_outside = reach.two_sided || height > 0;
     if (is_outside || is_at) {
@@ -191,7 +191,8 @@ class FirstTouch {
         (!faces_.is_at_a_distance(i_, f) || crossing.point.where == ClosestPoint::inside)) {
       const Eigen::Vector3d n = faces_.normal(f, foot.N, all_);
       place.N = foot.N, place.normal = n.dot(normal) < 0 ? -n : n;
-    } else if (const Foot near = faces_.foot(f, all_, i_); on_ridge || crossing.rate < faces_.depth(i_, f, crossing.point.N)) {
+    } else if (const Foot near = faces_.foot(f, all_, i_);
+               on_ridge || crossing.rate < faces_.depth(i_, f, crossing.point.N)) {
       const double side = near.normal.dot(normal) < 0 ? -1 : 1;
       if (side * near.normal.dot(normal) > 0.9) place.N = near.point.N, place.normal = side * near.normal;
     }

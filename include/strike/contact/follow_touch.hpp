@@ -106,10 +106,12 @@ class FollowedTouch {
     }
     return best;
   }
-  /// False if all corners of a face, and so their hull, in which it lies, are beyond the plane through a foot.
+  /// False if all corners of a face, and so their hull, in which it lies, are beyond the plane through a foot, or in it
+  /// to rounding.
   bool may_be_nearer(Index f, const Foot& foot) const {
+    const double plane = (1 - 1e-9) * foot.point.distance2;
     for (const Index corner : faces_.target.faces()[f])
-      if (foot.point.away.dot(all_.x[i_] - all_.x[corner]) < foot.point.distance2) return true;
+      if (foot.point.away.dot(all_.x[i_] - all_.x[corner]) < plane) return true;
     return false;
   }
 

@@ -113,7 +113,8 @@ class NearFaces {
   Eigen::Vector3d mean_velocity_ = Eigen::Vector3d::Zero();
   double margin_ = -1, travelled_ = 0, speed_ = 0, step_reach_ = 0, last_reach_ = 0, largest_inverse_mass_ = 0;
   std::size_t sorts_ = 0;
-  std::vector<double> wakes_, first_wakes_;  // what has to be travelled first, of each face near a node, and of the node
+  std::vector<double> wakes_,
+      first_wakes_;  // what has to be travelled first, of each face near a node, and of the node
 };
 
 }  // namespace strike::detail

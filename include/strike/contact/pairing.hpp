@@ -136,8 +136,7 @@ class SurfaceMeeting {
   void add(const std::vector<Index>& numbers, bool fixed, std::size_t from, std::size_t target,
            std::vector<double> half, const ContactNodes& all) {
     ways_.push_back({numbers, fixed, from, target});
-    approaches_.push_back(
-        Approach<self>(to_local(numbers, all), target_of(surfaces_[target], all), std::move(half)));
+    approaches_.push_back(Approach<self>(to_local(numbers, all), target_of(surfaces_[target], all), std::move(half)));
   }
 
   struct Way {
@@ -232,14 +231,17 @@ struct Everything {
 
  private:
   std::optional<Surface> surface_of(std::span<const PartFaces> parts) const {
-    const bool solids_erode = std::any_of(
-        parts.begin(), parts.end(), [](const PartFaces& part) { return part.erodes && !(part.thickness > 0); });
+    const bool solids_erode = std::any_of(parts.begin(), parts.end(),
+                                          [](const PartFaces& part) { return part.erodes && !(part.thickness > 0); });
     std::optional<Surface> all;
     std::vector<Index> piece(parts.size());
     for (std::size_t p = 0; p < parts.size(); ++p) {
       if (parts[p].faces.empty()) continue;
       piece[p] = all ? static_cast<Index>(all->pieces().size()) : 0;
-      Surface own({.thickness = parts[p].thickness, .part = p, .cells = parts[p].cells, .erodes = true,
+      Surface own({.thickness = parts[p].thickness,
+                   .part = p,
+                   .cells = parts[p].cells,
+                   .erodes = true,
                    .of_cells = parts[p].faces});
       all = all ? *all + own : own;
     }
@@ -249,9 +251,9 @@ struct Everything {
     for (const auto& [p, q] : except) {
       for (const std::size_t named : {p, q})
         if (named >= parts.size())
-          throw Error(detail::joined({"strike: Everything excepts part ", std::to_string(named),
-                                      ", but the scene has ", std::to_string(parts.size()),
-                                      parts.size() == 1 ? " part" : " parts", "; count its parts from 0."}));
+          throw Error(detail::joined({"strike: Everything excepts part ", std::to_string(named), ", but the scene has ",
+                                      std::to_string(parts.size()), parts.size() == 1 ? " part" : " parts",
+                                      "; count its parts from 0."}));
       all->keep_apart(piece[p], piece[q]);
     }
     return all;

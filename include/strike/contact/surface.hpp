@@ -32,8 +32,8 @@ class Surface {
     std::vector<Face> faces{};
     double thickness = 0;  ///< of plates, 0 of solids [length]
     std::optional<std::size_t> part{};
-    std::size_t cells = 0;       ///< number of the cells that it was made of
-    bool erodes = false;         ///< its cells may be deleted
+    std::size_t cells = 0;         ///< number of the cells that it was made of
+    bool erodes = false;           ///< its cells may be deleted
     std::vector<Face> of_cells{};  ///< all faces of those, inner ones too
 
     template <class Archive>
@@ -43,7 +43,8 @@ class Surface {
   };
 
   /// `thickness` of the plate [length]. Errors: no face; a negative thickness.
-  explicit Surface(std::vector<Face> faces, double thickness = 0) : Surface(Piece{.faces = std::move(faces), .thickness = thickness}) {}
+  explicit Surface(std::vector<Face> faces, double thickness = 0)
+      : Surface(Piece{.faces = std::move(faces), .thickness = thickness}) {}
   /// Errors: no face; a negative thickness.
   explicit Surface(Piece piece) {
     if (piece.faces.empty() && piece.of_cells.empty())
@@ -96,8 +97,8 @@ class Surface {
                                     parts.size() == 1 ? " part" : " parts", "; count its parts from 0."}));
       if (const std::size_t elements = parts[*piece.part].cells; piece.cells != elements)
         throw Error(detail::joined({"strike: a Surface of part ", std::to_string(*piece.part), " was made of ",
-                                    std::to_string(piece.cells), " cells, but the part has ",
-                                    std::to_string(elements), "; give it the cells of the part and its place."}));
+                                    std::to_string(piece.cells), " cells, but the part has ", std::to_string(elements),
+                                    "; give it the cells of the part and its place."}));
     }
   }
 
@@ -164,8 +165,11 @@ inline Surface solid_surface(const Cells<4>& cells, std::size_t part) {
 }
 /// The middle surface of the plates of a part, of that thickness [length].
 inline Surface plate_surface(const Cells<4>& cells, double thickness, std::size_t part) {
-  return Surface(
-      {.thickness = thickness, .part = part, .cells = cells.size(), .erodes = true, .of_cells = quadrilateral_surface(cells)});
+  return Surface({.thickness = thickness,
+                  .part = part,
+                  .cells = cells.size(),
+                  .erodes = true,
+                  .of_cells = quadrilateral_surface(cells)});
 }
 
 }  // namespace strike

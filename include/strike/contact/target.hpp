@@ -27,8 +27,8 @@ struct Foot {
   bool on_border = false;                            ///< at an edge that no other face shares
 };
 
-/// Faces that nodes may touch, with their neighbours: those of solids from outside, plates from both sides at half their
-/// thickness, which goes evenly from node to node over a face.
+/// Faces that nodes may touch, with their neighbours: those of solids from outside, plates from both sides at half
+/// their thickness, which goes evenly from node to node over a face.
 class Target {
  public:
   static constexpr Index none = std::numeric_limits<Index>::max();
@@ -65,9 +65,8 @@ class Target {
   }
   /// False for a node of the surface and a face whose pieces are kept apart.
   bool may_touch(Index node, Index face) const {
-    return apart_.empty() || at(node).empty() || std::any_of(at(node).begin(), at(node).end(), [&](Index own) {
-             return !are_apart(own, face);
-           });
+    return apart_.empty() || at(node).empty() ||
+           std::any_of(at(node).begin(), at(node).end(), [&](Index own) { return !are_apart(own, face); });
   }
   bool are_apart(Index face, Index other) const {
     return std::any_of(apart_.begin(), apart_.end(), [&](const std::array<Index, 2>& pair) {
@@ -202,10 +201,10 @@ class Target {
   static Eigen::Vector3d mean_normal(const Corners& X) { return direction(cross<double>(X[2] - X[0], X[3] - X[1])); }
 
   std::vector<FaceCorners> faces_, across_;
-  std::vector<double> thickness_;  // of each face
+  std::vector<double> thickness_;            // of each face
   std::vector<std::array<Index, 2>> apart_;  // pieces that do not touch
   std::vector<Index> piece_;                 // of each face, where some are apart
-  std::vector<double> half_;  // of each node
+  std::vector<double> half_;                 // of each node
   std::vector<std::size_t> first_;
   std::vector<Index> at_;
 };

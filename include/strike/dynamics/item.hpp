@@ -210,9 +210,9 @@ constexpr Fault fault() {
   if constexpr (misses<Warning, const Item>) return Fault::warning;
   if constexpr (requires { typename Item::LoadHistory; })
     if constexpr (!History<typename Item::LoadHistory>) return Fault::history;
-  if constexpr (!(has<Begin, Item, N, const std::span<const PartFaces>> || has<StableStep, Item, double, const N> || has<ApplyLoads, Item, N, double> ||
-                  has<Constrain, Item, N, const Step, Ledger> || has<ResolveContact, Item, N, const Step, Ledger> ||
-                  has<Remove, Item, Part, Alive>))
+  if constexpr (!(has<Begin, Item, N, const std::span<const PartFaces>> || has<StableStep, Item, double, const N> ||
+                  has<ApplyLoads, Item, N, double> || has<Constrain, Item, N, const Step, Ledger> ||
+                  has<ResolveContact, Item, N, const Step, Ledger> || has<Remove, Item, Part, Alive>))
     return Fault::no_function;
   return Fault::none;
 }
