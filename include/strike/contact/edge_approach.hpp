@@ -143,7 +143,7 @@ class EdgeApproach {
     each_end([&](const Eigen::Vector3d& v) { mean += (1 / ends) * v; });
     each_end([&](const Eigen::Vector3d& v) { fastest = std::max(fastest, (v - mean).squaredNorm()); });
     const double reach = 2 * dt * std::sqrt(fastest);
-    if (!(travelled_ + reach <= margin_)) sort(all, std::max(3 * reach, 0.25 * size_));
+    if (!(travelled_ + reach <= margin_)) sort(all, std::max(8 * reach, 0.5 * size_));
     travelled_ += reach;
   }
   void sort(const ContactNodes& all, double margin) {

@@ -40,7 +40,7 @@ class NearFaces {
     step_reach_ = dt * speed_;
     // Twice the way, so that the step after this one is seen too.
     if (!(travelled_ + 2 * step_reach_ <= margin_))
-      sort(all, nodes, target, reach, std::max(4 * step_reach_, 0.25 * size));
+      sort(all, nodes, target, reach, std::max(8 * step_reach_, 0.5 * size));
     travelled_ += step_reach_;
   }
   /// Corrects the distance travelled by what the impulses of the step have sped up.
