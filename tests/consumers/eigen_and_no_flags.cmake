@@ -1,0 +1,5 @@
+get_target_property(libraries strike::strike INTERFACE_LINK_LIBRARIES)
+get_target_property(options strike::strike INTERFACE_COMPILE_OPTIONS)
+if(NOT libraries STREQUAL "Eigen3::Eigen" OR options)
+  message(FATAL_ERROR "strike::strike must bring Eigen alone and no flags, not: ${libraries} ${options}")
+endif()
