@@ -191,7 +191,7 @@ class Approach {
     const ContactPair pair = faces_.pair(i, *place, height + touch.initial_depth);
     check_depth(all.number(i), all.x[i], -pair.gap, std::max(faces_.size, depth));
     if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
-    touch.face = place->face;
+    touch.face = place->face, touch.place = place->on_face();
     touch.normal = touch_normal(*place, all);
     found.touches.push_back(touch), found.pairs.push_back(pair);
   }

@@ -53,6 +53,17 @@ inline ClosestPoint closest_on_triangle(const Corners& X, const Eigen::Vector3d&
   return point;
 }
 
+/// The squared distance of a point from the box around a face: a bound of that from the face.
+inline double squared_distance_to_box(const Corners& X, const Eigen::Vector3d& x) {
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) {
+    const auto [low, high] = std::minmax({X[0](c), X[1](c), X[2](c), X[3](c)});
+    const double apart = std::max({low - x(c), x(c) - high, 0.0});
+    sum += apart * apart;
+  }
+  return sum;
+}
+
 /// A bilinear quadrilateral x(s, t) = m0 + s m1 + t m2 + s t m3, |s|, |t| <= 1.
 struct Quadrilateral {
   Eigen::Vector3d m0, m1, m2, m3;
@@ -97,8 +108,9 @@ struct Quadrilateral {
   }
 };
 
-/// The closest point of a bilinear quadrilateral: a stationary one or that of its edges.
-inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vector3d& x) {
+/// The closest point of a bilinear quadrilateral: a stationary one or that of its edges. `start` is near it, at (s, t).
+inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vector3d& x,
+                                             const std::array<double, 2>& start = {0, 0}) {
   const Quadrilateral face(X);
   ClosestPoint point;
   bool is_found = true;
@@ -109,7 +121,7 @@ inline ClosestPoint closest_on_quadrilateral(const Corners& X, const Eigen::Vect
       point = {.N = at.N(), .away = -at.r, .distance2 = at.r.squaredNorm()};
     is_found = is_found && holds;
   };
-  descend_from(0, 0);
+  descend_from(start[0], start[1]);
   const bool is_flat = face.m3.squaredNorm() < 1e-2 * std::min(face.m1.squaredNorm(), face.m2.squaredNorm());
   if (!is_flat)  // with a strong warp the distance has several local minima
     for (const double s : {-0.7, 0.7})

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -139,9 +140,9 @@ class Contact {
       detail::answers<detail::ClosingStep, detail::MeetingOf<P>, const ContactNodes, double, double>;
 
   /// Friction against the velocity along the surface that the normal impulses have left. Pairs share nodes, so that
-  /// they are corrected forward and backward in turn, each anew from what it has given (projected Gauss-Seidel). They
-  /// begin with their friction in the last step, so that what sticks does not creep; without it if that would add
-  /// energy.
+  /// they are corrected forward and backward in turn, each anew from what it has given, until no correction counts
+  /// (projected Gauss-Seidel). They begin with their friction in the last step, so that what sticks does not creep;
+  /// without it if that would add energy.
   void rub() {
     using namespace detail;
     const std::size_t n = pairs_.size();
@@ -150,8 +151,15 @@ class Contact {
       pairs_[p].drag(all_, given[p] - impulse);
       given[p] = impulse;
     };
+    double fastest = 0;
+    for (std::size_t p = 0; p < n; ++p) {
+      before[p] = pairs_[p].velocity(all_);
+      fastest = std::max(fastest, along(pairs_[p], before[p]).norm());
+    }
     const auto correct = [&] {
-      for (int sweep = 0; sweep < 3; ++sweep)
+      double change = std::numeric_limits<double>::infinity();
+      for (int sweep = 0; sweep < 100 && change > settled * fastest; ++sweep) {
+        change = 0;
         for (std::size_t k = 0; k < n; ++k) {
           const std::size_t p = sweep % 2 == 0 ? k : n - 1 - k;
           if (!(pairs_[p].impulse > 0)) continue;
@@ -159,11 +167,13 @@ class Contact {
           const double speed = sliding.norm();
           if (!(speed > 0)) continue;
           const double inverse_effective_mass = pairs_[p].inverse_effective_mass_along(all_, (1 / speed) * sliding);
-          if (inverse_effective_mass > 0)
-            give(p, bounded(pairs_[p], given[p] + (1 / inverse_effective_mass) * sliding));
+          if (!(inverse_effective_mass > 0)) continue;
+          const Eigen::Vector3d wanted = bounded(pairs_[p], given[p] + (1 / inverse_effective_mass) * sliding);
+          change = std::max(change, (wanted - given[p]).norm() * inverse_effective_mass);
+          give(p, wanted);
         }
+      }
     };
-    for (std::size_t p = 0; p < n; ++p) before[p] = pairs_[p].velocity(all_);
     for (std::size_t p = 0; p < n; ++p)
       if (pairs_[p].friction && pairs_[p].impulse > 0)
         give(p, bounded(pairs_[p], step_.kick() * along(pairs_[p], *pairs_[p].friction)));

@@ -29,8 +29,8 @@ class ContactNodes {
   std::vector<Eigen::Vector3d> kicked;    ///< change of v by this step's forces, of nodes in pairs
   std::vector<Eigen::Vector3d> normal_impulse, friction_impulse;  ///< of this step [force time]
 
-  /// Nodes by their numbers, in ascending order, and points that never move. `parts` are those of the scene: where
-  /// plates are beside their nodes, x is in their middle. Error: no such node.
+  /// Nodes by their numbers, in ascending order, and points that never move. `parts` are those of the scene, from which
+  /// follow the springs of the nodes; where plates are beside their nodes, x is in their middle. Error: no such node.
   template <class N>
   void begin(const N& nodes, std::vector<Index> numbers, const std::vector<Eigen::Vector3d>& points,
              std::span<const PartFaces> parts) {
@@ -46,8 +46,11 @@ class ContactNodes {
     kicked = normal_impulse = friction_impulse = v;
     is_touched_.assign(x.size(), 0), held_.assign(x.size(), -1), inverse_mass_.assign(x.size(), 0.0);
     for (std::size_t i = 0; i < number_.size(); ++i) inverse_mass_[i] = 1 / nodes.mass(number_[i]);
-    for (std::size_t p = 0; p < parts.size(); ++p)
+    spring_.assign(x.size(), 0.0);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
       if (parts[p].offset != 0) add_offset(nodes, p, parts[p]);
+      add_springs(nodes, parts[p]);
+    }
     gather(nodes, Serial{}), x_before = x;
   }
 
@@ -126,6 +129,16 @@ class ContactNodes {
     return held_[i] < 0 ? inverse_mass_[i] : inverse_mass_[i] * free(i, a).dot(a);
   }
   double inverse_mass(Index i) const { return inverse_mass_[i]; }
+  /// Stiffness of the cells of a node, by which they swing with it at about their stable step; 0 if it is not known
+  /// [force/length].
+  double spring(Index i) const { return spring_[i]; }
+
+  /// The square of the step 1/sqrt(k/m) at which a node swings on its spring, no less than that of the elements
+  /// [time^2].
+  double squared_step(Index i, double stable_dt) const {
+    const double stiffness_per_mass = spring_[i] * inverse_mass_[i], least = stable_dt * stable_dt;
+    return stiffness_per_mass > 0 ? std::max(least, 1 / stiffness_per_mass) : least;
+  }
 
   /// Gives node i an impulse along a normal, or of friction [force time].
   void push(Index i, const Eigen::Vector3d& impulse) { add(i, impulse, normal_impulse); }
@@ -158,6 +171,37 @@ class ContactNodes {
     Index cell;
   };
 
+  /// Adds to the nodes of each cell its share of M V/h^2, of a plate M t A/L^2: M = rho c^2, h the volume over the
+  /// largest face, of a tetrahedron three times that, its height; t the thickness, A the area, L the longest edge.
+  template <class N>
+  void add_springs(const N& nodes, const PartFaces& part) {
+    const auto& faces = part.faces;
+    for (std::size_t first = 0, end = 0; first < faces.size(); first = end) {
+      double volume = 0, largest = 0;
+      std::array<Eigen::Vector3d, 4> X;
+      std::array<Index, 8> corners{};
+      std::size_t count = 0;
+      for (; end < faces.size() && faces[end].cell == faces[first].cell; ++end) {
+        for (std::size_t k = 0; k < 4; ++k) X[k] = nodes.x(faces[end].nodes[k]).template cast<double>();
+        const Eigen::Vector3d area = 0.5 * cross<double>(X[2] - X[0], X[3] - X[1]);
+        volume += 0.25 * (X[0] + X[1] + X[2] + X[3]).dot(area) / 3, largest = std::max(largest, area.norm());
+        for (const Index i : faces[end].nodes)
+          if (std::find(corners.begin(), corners.begin() + count, i) == corners.begin() + count && count < 8)
+            corners[count++] = i;
+      }
+      double stiffness = 0;
+      if (end - first == 1) {
+        double longest = 0;
+        for (std::size_t k = 0; k < 4; ++k) longest = std::max(longest, (X[(k + 1) % 4] - X[k]).squaredNorm());
+        stiffness = part.wave_modulus * largest / longest;
+      } else {
+        stiffness = part.wave_modulus * largest * largest / volume / (end - first == 4 ? 9 : 1);
+      }
+      for (std::size_t k = 0; k < count; ++k)
+        if (const Index i = local(corners[k]); i < number_.size() && number_[i] == corners[k])
+          spring_[i] += stiffness / static_cast<double>(count);
+    }
+  }
   template <class N>
   void add_offset(const N& nodes, std::size_t part, const PartFaces& plates) {
     for (const Face& face : plates.faces) {
@@ -199,7 +243,7 @@ class ContactNodes {
 
   std::vector<Index> number_, place_, touched_;
   std::vector<unsigned char> is_touched_;
-  std::vector<double> inverse_mass_;
+  std::vector<double> inverse_mass_, spring_;
   std::vector<PlateBeside> beside_;
   std::vector<int> held_;  // index into free_, or -1
   std::vector<Eigen::Matrix3d> free_;
@@ -260,6 +304,14 @@ struct ContactPair {
       along += share * all.inverse_mass_along(nodes[i], a), free += share * all.inverse_mass(nodes[i]);
     }
     return along > 1e-6 * free ? along : 0;
+  }
+  /// One over the stiffness of its nodes' springs in series along the normal, none of which swings faster than the
+  /// stable step dt: sum of w_I^2/min(k_I, m_I/dt^2) [length/force]; 0 if conditions hold all its nodes.
+  double compliance(const ContactNodes& all, double dt) const {
+    double sum = 0;
+    for (unsigned i = 0; i < count; ++i)
+      sum += weights[i] * weights[i] * all.inverse_mass_along(nodes[i], normal) * all.squared_step(nodes[i], dt);
+    return inverse_effective_mass > 0 ? sum : 0;
   }
   /// Gives the pair a normal impulse J [force time].
   void push(ContactNodes& all, double J) {

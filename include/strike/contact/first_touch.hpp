@@ -54,22 +54,17 @@ class FirstTouch {
                           from = all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3]);
     const double area2 = area.squaredNorm(), warp2 = 0.0625 * (X[0] - X[1] + X[2] - X[3]).squaredNorm(),
                  height = from.dot(area), deep = reach.largest_depth() + reach.slack;
-    const bool is_triangle = faces_.target.count(f) == 3;
-    const auto is_within = [&](double far) {
-      return height * height <= 2 * (far * far + (is_triangle ? 0 : warp2)) * area2;
-    };
     for (const Touch& touch : touches_) {  // a face that goes on from one that the node touches
       const double cosine = touch.normal.dot(area);
       if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.go_together(f, touch.face))) return 0;
     }
-    // Outside of a sphere around the face, or of a layer along it.
+    // From a sphere around the face, and from a layer along it.
     const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm()),
                  warp = std::sqrt(warp2);
-    const double clearance = std::max(from.norm() - std::sqrt(half2) - warp,
-                                      std::abs(height) / std::sqrt(area2) - (is_triangle ? 0 : warp)) -
-                             deep;
+    const double above = std::abs(height) / std::sqrt(area2) - (faces_.target.count(f) == 3 ? 0 : warp) - deep;
+    const double clearance = std::max(from.norm() - std::sqrt(half2) - warp - deep, above);
     if (clearance > farthest_) return clearance;
-    const bool is_at = is_within(deep + reach.tolerance);
+    const bool is_at = !(above > reach.tolerance);
     const bool is_outside = reach.two_sided || height > 0;
     if (is_outside || is_at) {
       if (const Crossing next = in_step(f, X, reach); next.happens()) return meet(f, next, next.when), 0;

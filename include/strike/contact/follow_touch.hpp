@@ -37,7 +37,7 @@ class FollowedTouch {
   /// around. The side of a plate is given by the vector at its present face, and at those around by their common order
   /// of corners.
   std::optional<Place> at_a_distance() const {
-    const Foot own = faces_.foot(touch_.face, all_, i_);
+    const Foot own = faces_.foot(touch_.face, all_, i_, touch_.place);
     Foot best = nearest_from(own, [&](Index f) { return !is_own(f); });
     const bool is_plate = faces_.target.is_plate(touch_.face);
     const auto is_behind = [&](Index f, const std::array<double, 4>& N) {
@@ -107,12 +107,14 @@ class FollowedTouch {
     return best;
   }
   /// False if all corners of a face, and so their hull, in which it lies, are beyond the plane through a foot, or in it
-  /// to rounding.
+  /// to rounding, or if their box is farther than the foot.
   bool may_be_nearer(Index f, const Foot& foot) const {
+    const Corners X = faces_.target.corners(f, all_.x);
+    const Eigen::Vector3d& x = all_.x[i_];
     const double plane = (1 - 1e-9) * foot.point.distance2;
-    for (const Index corner : faces_.target.faces()[f])
-      if (foot.point.away.dot(all_.x[i_] - all_.x[corner]) < plane) return true;
-    return false;
+    if (std::none_of(X.begin(), X.end(), [&](const auto& corner) { return foot.point.away.dot(x - corner) < plane; }))
+      return false;
+    return squared_distance_to_box(X, x) < foot.point.distance2;
   }
 
   /// Calls g(f, foot) for other faces near that go on in the plane of the present one: those of another part, at a

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/contact/closest_point.hpp>
 #include <strike/contact/target.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -42,8 +43,10 @@ class Interior {
     double least = std::numeric_limits<double>::infinity();
     for (const Index piece : pieces_around(node))
       for (Index f = 0; f < piece_.size(); ++f) {
-        if (piece_[f] != piece || squared_distance_to_box(f, x_[node]) >= least) continue;
-        const double distance2 = target_.closest(f, target_.corners(f, x_), x_[node]).distance2;
+        if (piece_[f] != piece) continue;
+        const Corners X = target_.corners(f, x_);
+        if (squared_distance_to_box(X, x_[node]) >= least) continue;
+        const double distance2 = target_.closest(f, X, x_[node]).distance2;
         if (distance2 < least) least = distance2, best = f;
       }
     return best;
@@ -140,17 +143,6 @@ class Interior {
       if (!all_left && !all_right) continue;
       const double height = (area[0] * X[0][2] + area[1] * X[1][2] + area[2] * X[2][2]) / whole;
       if (height > z) sum += all_left ? 1 : -1;
-    }
-    return sum;
-  }
-
-  double squared_distance_to_box(Index f, const Eigen::Vector3d& x) const {
-    const Corners X = target_.corners(f, x_);
-    double sum = 0;
-    for (int c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax({X[0](c), X[1](c), X[2](c), X[3](c)});
-      const double apart = std::max({low - x(c), x(c) - high, 0.0});
-      sum += apart * apart;
     }
     return sum;
   }

@@ -126,8 +126,9 @@ class Target {
     return count(face) == 3 ? (1.0 / 3) * (X[0] + X[1] + X[2]) : 0.25 * (X[0] + X[1] + X[2] + X[3]);
   }
 
-  ClosestPoint closest(Index face, const Corners& X, const Eigen::Vector3d& at) const {
-    return count(face) == 3 ? closest_on_triangle(X, at) : closest_on_quadrilateral(X, at);
+  ClosestPoint closest(Index face, const Corners& X, const Eigen::Vector3d& at,
+                       const std::array<double, 2>& start = {0, 0}) const {
+    return count(face) == 3 ? closest_on_triangle(X, at) : closest_on_quadrilateral(X, at, start);
   }
   Foot foot(Index face, const Corners& X, const Eigen::Vector3d& at, std::span<const Eigen::Vector3d> x) const {
     return foot(face, X, closest(face, X, at), x);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -17,13 +18,14 @@ struct Touch {
   Index node = 0;  ///< its place in the list of nodes
   Index face = 0;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, to the side of the node: no order of corners turns it
+  std::array<double, 2> place{};                       ///< on the face, (s, t) of a quadrilateral in the last step
   double initial_depth = 0;                            ///< initial penetration, tolerated without force [length]
   double stored = 0;                                   ///< of the law, such as the energy that it has taken [energy]
   Eigen::Vector3d friction = Eigen::Vector3d::Zero();  ///< in the last step [force]
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(node, face, normal, initial_depth, stored, friction);
+    archive(node, face, normal, place, initial_depth, stored, friction);
   }
 };
 

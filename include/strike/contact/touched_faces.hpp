@@ -20,6 +20,9 @@ struct Place {
   std::array<double, 4> N{};  ///< of the face's corners, of sum 1
   Eigen::Vector3d normal;     ///< unit, to the side of the node
   double height = 0;          ///< of the node over the face along it; negative behind [length]
+
+  /// (s, t) of a quadrilateral.
+  std::array<double, 2> on_face() const { return {N[1] + N[2] - N[0] - N[3], N[2] + N[3] - N[0] - N[1]}; }
 };
 
 /// Faces that nodes may touch, at what distance and from which sides.
@@ -46,9 +49,10 @@ struct TouchedFaces {
   /// By how much a node may be inside a face to which it passes round an edge [length].
   double slack() const { return 0.05 * size; }
 
-  /// The foot of node i on face f.
-  Foot foot(Index f, const ContactNodes& all, Index i) const {
-    return target.foot(f, target.corners(f, all.x), all.x[i], all.x);
+  /// The foot of node i on face f; `start` is near it, at (s, t) of a quadrilateral.
+  Foot foot(Index f, const ContactNodes& all, Index i, const std::array<double, 2>& start = {0, 0}) const {
+    const Corners X = target.corners(f, all.x);
+    return target.foot(f, X, target.closest(f, X, all.x[i], start), all.x);
   }
   Projection projection(Index f, const ContactNodes& all, Index i) const {
     return project(target.corners(f, all.x), all.x[i], target.count(f) == 3);

@@ -2,6 +2,7 @@
 #include <cstddef>
 
 #include <strike/element/element.hpp>
+#include <strike/material/material.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/mesh/surface.hpp>
 
@@ -22,6 +23,7 @@ PartFaces faces_of(const Part& part, const Nodes& nodes) {
       append_faces(known.faces, part.cells(nodes), tetrahedron_faces, 0);
     }
   }
+  known.wave_modulus = moduli_at_rest(part.material()).wave();
   return known;
 }
 

@@ -50,7 +50,7 @@ struct Begin {
   };
   template <class Item>
   using Member = decltype(&Item::begin);
-  static auto call(auto& item, auto& nodes, std::span<const PartFaces> parts)
+  static void call(auto& item, auto& nodes, std::span<const PartFaces> parts)
     requires requires { item.begin(nodes, parts); } || requires { item.begin(nodes); }
   {
     if constexpr (requires { item.begin(nodes, parts); })
@@ -59,6 +59,9 @@ struct Begin {
       item.begin(nodes);
   }
 };
+template <class Item, class N>
+concept BeginsWithParts =
+    requires(Item& item, N& nodes, std::span<const PartFaces> parts) { item.begin(nodes, parts); };
 struct StableStep {
   struct Decoy {
     int stable_step;

@@ -117,7 +117,8 @@ class RunningScene {
   /// Errors: those of the items.
   void begin_items() {
     std::vector<PartFaces> parts;
-    each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
+    if constexpr ((item::BeginsWithParts<Items, Nodes> || ...))
+      each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
     const std::span<const PartFaces> all(parts);
     each([&](auto& item) { call_if_present<item::Begin>(item, nodes_, all); });
   }

@@ -25,6 +25,17 @@ template <class M>
 double density_of(const M& material) {
   return material.density;
 }
+namespace detail {
+/// Bounds of the tangent of a material that has not moved.
+template <class M>
+auto moduli_at_rest(const M& material) {
+  typename M::template State<double> state{};
+  if constexpr (requires { material.begin(state); }) material.begin(state);
+  typename M::Kinematics::template Rate<double> rate{};
+  if constexpr (requires { rate.shear.setZero(); }) rate.shear.setZero();
+  return material.moduli(state, rate);
+}
+}  // namespace detail
 
 /// A material: the rate of deformation in, the stress out. It knows no rotation, no mesh and no time loop.
 ///

@@ -281,13 +281,6 @@ std::array<PlaneTensor<T>, n> stresses_of(const M& material, std::array<P, n>& p
   }
 }
 
-template <class M>
-PlaneModuli<double> moduli_at_rest(const M& material) {
-  typename M::template State<double> state{};
-  if constexpr (Begins<M>) material.begin(state);
-  return material.moduli(state, PlaneStressKinematics::Rate<double>{});
-}
-
 /// f(i) for the places i of the pieces that have layers, bottom to top.
 template <class... Pieces, class F>
 void each_layered_piece(F f) {
