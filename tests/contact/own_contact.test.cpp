@@ -1,5 +1,6 @@
 #include "examples/own_contact/own_contact.hpp"
 
+#include "conformance/answers.hpp"
 #include "conformance/contact.hpp"
 
 using namespace strike;
@@ -7,6 +8,14 @@ using namespace strike;
 TEST_CASE("conformance: a law and a friction of one's own") {
   testing::conforms_as_contact(Restitution{0.7});
   testing::conforms_as_contact(Restitution{1}, LimitedFriction{0.3, 0.1});
+}
+
+TEST_CASE("conformance: a law of one's own answers alike") {
+  testing::answers_alike(
+      [](const Surface& one, const Surface& other) {
+        return Contact{TwoWay{one, other}, Restitution{0.7}};
+      },
+      {.order = 0.02});  // it takes each pair once
 }
 
 TEST_CASE("a ball jumps on a rigid body of one's own with the restitution of its law") {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <strike/contact/tied.hpp>
@@ -128,4 +129,40 @@ TEST_CASE("a tie ends with the element that it is tied to, and not before") {
   CHECK(tied.force() == Eigen::Vector3d::Zero());
   // The load alone is left: p = F t, to half a step, by which velocities are ahead.
   CHECK(momentum() - before == Approx(1000 * static_cast<double>(pulled.size()) * (run.time() - start)).epsilon(0.02));
+}
+
+TEST_CASE("a tie breaks at its strength in tension, in shear and in both, and not under pressure") {
+  // A cube on a clamped one; its tied nodes are pulled ever more, each with a force of 1000 t.
+  Mesh mesh = box({.size = {1, 1, 1}});
+  const std::vector<Face> top{surface(mesh)[1]};
+  const Index first = append(mesh, box({.lower = {0, 0, 1}, .size = {1, 1, 1}}));
+  const std::vector<Index> tied{first, first + 1, first + 2, first + 3};
+  const auto broken_at = [&](const Eigen::Vector3d& direction, TieStrength strength) {
+    std::vector<Index> lower(first);
+    for (Index i = 0; i < first; ++i) lower[i] = i;
+    Explicit run{
+        Scene{mesh.nodes, Part{Hex8{}, Elastic{1, 1e7, 0.3}, mesh.hexahedra}, Clamped{lower},
+              NodalForce{1000 * direction, tied, [](double t) { return t; }}, Tied{tied, Surface{top}, strength}},
+        ExplicitOptions{.energy_tolerance = 10}};
+    const auto& ties = run.template contact<0>();
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();
+    run.until(1, [&] {
+      if (ties.size() == 4) last = ties.force();
+    });
+    CHECK(ties.size() + ties.broken() == 4);
+    return ties.broken() == 4 ? 0.25 * last.norm() : 0;
+  };
+  REQUIRE(area_vector(mesh.nodes, top[0]).z() > 0.99);
+  const double inf = std::numeric_limits<double>::infinity();
+  // The force of a tie when it breaks, to the steps of a ramp that the cube follows with small swings.
+  CHECK(broken_at({0, 0, 1}, {.normal = 300}) == Approx(300).epsilon(2e-3));
+  CHECK(broken_at({0, 0, -1}, {.normal = 300}) == 0);
+  CHECK(broken_at({1, 0, 0}, {.normal = 300}) == 0);
+  CHECK(broken_at({1, 0, 0}, {.shear = 200}) == Approx(200).epsilon(2e-3));
+  CHECK(broken_at({0, 0, -1}, {.shear = 200}) == 0);
+  CHECK(broken_at({0, 3, 4}, {.normal = 300, .shear = 200}) ==
+        Approx(1 / std::hypot(0.8 / 300, 0.6 / 200)).epsilon(5e-3));
+  CHECK(broken_at({0, 0, 1}, {inf, inf}) == 0);
+  CHECK_THROWS_WITH((Tied{tied, Surface{top}, {.normal = -1}}),
+                    "strike: a Tied has the strengths -1 and inf; give positive forces, or none.");
 }

@@ -67,6 +67,7 @@ class Contact {
     pairs_.clear();
     detail::Find::call(*meeting_, all_, step, pairs_, execution);
     all_.gather_forces(nodes, pairs_, step.kick());
+    all_.note(step);
     kappa_ = law_.press(pairs_, all_, step);
     step_ = step;
     if constexpr (!std::is_same_v<F, Frictionless>) rub();

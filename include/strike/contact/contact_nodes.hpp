@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -14,6 +15,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/motion/execution.hpp>
+#include <strike/motion/step.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -133,11 +135,17 @@ class ContactNodes {
   /// [force/length].
   double spring(Index i) const { return spring_[i]; }
 
-  /// The square of the step 1/sqrt(k/m) at which a node swings on its spring, no less than that of the elements
-  /// [time^2].
-  double squared_step(Index i, double stable_dt) const {
-    const double stiffness_per_mass = spring_[i] * inverse_mass_[i], least = stable_dt * stable_dt;
-    return stiffness_per_mass > 0 ? std::max(least, 1 / stiffness_per_mass) : least;
+  /// The square of the stable step of a node's cells [time^2]: of those at the start, shortened as the step of the
+  /// elements has been since, and no less than that.
+  double squared_step(Index i) const {
+    const double own = spring_[i] * inverse_mass_[i] > 0 ? shortened_ / (spring_[i] * inverse_mass_[i]) : 0;
+    return std::max(own, squared_stable_step_);
+  }
+  /// Takes note of the stable step of the elements.
+  void note(const Step& step) {
+    squared_stable_step_ = step.stable_dt * step.stable_dt;
+    if (step.number <= 1) squared_first_step_ = squared_stable_step_;
+    shortened_ = std::min(1.0, squared_stable_step_ / squared_first_step_);
   }
 
   /// Gives node i an impulse along a normal, or of friction [force time].
@@ -158,7 +166,7 @@ class ContactNodes {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(x, normal_impulse, friction_impulse, touched_, is_touched_, beside_);
+    archive(x, normal_impulse, friction_impulse, touched_, is_touched_, beside_, squared_first_step_);
   }
 
  private:
@@ -244,6 +252,7 @@ class ContactNodes {
   std::vector<Index> number_, place_, touched_;
   std::vector<unsigned char> is_touched_;
   std::vector<double> inverse_mass_, spring_;
+  double squared_stable_step_ = 0, squared_first_step_ = 0, shortened_ = 1;
   std::vector<PlateBeside> beside_;
   std::vector<int> held_;  // index into free_, or -1
   std::vector<Eigen::Matrix3d> free_;
@@ -305,13 +314,12 @@ struct ContactPair {
     }
     return along > 1e-6 * free ? along : 0;
   }
-  /// One over the stiffness of its nodes' springs in series along the normal, none of which swings faster than the
-  /// stable step dt: sum of w_I^2/min(k_I, m_I/dt^2) [length/force]; 0 if conditions hold all its nodes.
-  double compliance(const ContactNodes& all, double dt) const {
-    double sum = 0;
+  /// The square of the least stable step of the cells at its nodes [time^2].
+  double squared_step(const ContactNodes& all) const {
+    double least = std::numeric_limits<double>::infinity();
     for (unsigned i = 0; i < count; ++i)
-      sum += weights[i] * weights[i] * all.inverse_mass_along(nodes[i], normal) * all.squared_step(nodes[i], dt);
-    return inverse_effective_mass > 0 ? sum : 0;
+      if (all.inverse_mass(nodes[i]) > 0) least = std::min(least, all.squared_step(nodes[i]));
+    return least;
   }
   /// Gives the pair a normal impulse J [force time].
   void push(ContactNodes& all, double J) {

@@ -100,14 +100,13 @@ struct Kinematic {
   }
 };
 
-/// Springs k against the depth at the time n. Without a `stiffness`, k is a fraction of the stiffness of the cells of
-/// both sides in series, 1/k* = sum of w_I^2/k_I with k_I = min(M V/h^2, m_I/dt^2): M = rho c^2 of the material at
-/// rest, V and h the cell's volume and height, dt the stable step of the elements, whatever shortens the step of the
-/// run. It is scaled so that kappa_I <= fraction k_I/m_I with kappa_I = sum of k |w_I| (sum of |w_J|)/m_I over the
-/// pairs of node I, a bound of the highest frequency (Gershgorin): the step stays nearly that of the elements. With
-/// one, the step becomes as small as it needs. No spring gives back more energy than it took.
+/// Springs k against the depth at the time n. Without a `stiffness`, k = fraction m*/dt^2 with the least stable step dt
+/// of the cells at the nodes of the pair (ContactNodes::squared_step), whatever bounds the step elsewhere and whatever
+/// shortens it; scaled so that kappa_I dt^2 <= fraction with kappa_I = sum of k |w_I| (sum of |w_J|)/m_I over the pairs
+/// of node I, a bound of the highest frequency (Gershgorin): the step stays nearly that of the elements. With one, the
+/// step becomes as small as it needs. No spring gives back more energy than it took.
 struct Penalty {
-  double fraction = 0.5;  ///< of the cells' stiffness, between 0 and 2
+  double fraction = 0.5;  ///< of m*/dt^2, between 0 and 2
   double stiffness = 0;   ///< of each pair [force/length]; 0: by the fraction
 
   double kappa(double inverse_effective_mass) const { return stiffness * inverse_effective_mass; }
@@ -122,19 +121,17 @@ struct Penalty {
         sum[pair.nodes[i]] += pair.stiffness * moved * std::abs(pair.weights[i]) * nodes.inverse_mass(pair.nodes[i]);
     };
     for (ContactPair& pair : pairs) {
-      const double compliance = pair.compliance(nodes, step.stable_dt);
-      pair.stiffness = !(compliance > 0) ? 0 : stiffness > 0 ? stiffness : fraction / compliance;
+      const double w = pair.inverse_effective_mass;
+      pair.stiffness = !(w > 0) ? 0 : stiffness > 0 ? stiffness : fraction / (w * pair.squared_step(nodes));
       add(pair);
     }
     double most = 0;
     std::vector<double> before;  // velocities before the forces of this step
     for (ContactPair& pair : pairs) {
-      double share = 0;  // of what a node's spring allows
-      for (unsigned i = 0; i < pair.count; ++i) {
-        const Index node = pair.nodes[i];
-        most = std::max(most, sum[node]);
-        share = std::max(share, sum[node] * nodes.squared_step(node, step.stable_dt) / fraction);
-      }
+      double here = 0;
+      for (unsigned i = 0; i < pair.count; ++i) here = std::max(here, sum[pair.nodes[i]]);
+      most = std::max(most, here);
+      const double share = here * pair.squared_step(nodes) / fraction;
       if (!(stiffness > 0) && share > 1) pair.stiffness /= share;
       before.push_back(pair.normal.dot(pair.velocity(nodes) - pair.kicked(nodes)));
     }
@@ -175,7 +172,7 @@ inline void check_law(const Penalty& law) {
   if (!(law.fraction > 0 && law.fraction <= 2) || !(law.stiffness >= 0))
     throw Error(
         joined({"strike: a Penalty has the fraction ", text(law.fraction), " and the stiffness ", text(law.stiffness),
-                "; give a fraction of the cells' stiffness between 0 and 2, and a positive stiffness or none."}));
+                "; give a fraction of m*/dt^2 between 0 and 2, and a positive stiffness or none."}));
 }
 inline void check_law(const Kinematic& law) {
   if (law.sweeps < 1)

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,16 +27,32 @@
 
 namespace strike {
 
+/// The forces at which the tie of a node breaks: where (F_n/normal)^2 + (F_s/shear)^2 reaches 1 with the tension F_n
+/// along the normal of the face and the shear F_s along it [force]. Pressure breaks no tie.
+struct TieStrength {
+  double normal = std::numeric_limits<double>::infinity();
+  double shear = std::numeric_limits<double>::infinity();
+};
+
 /// Nodes tied to their places on a surface: a joint of meshes that need not fit. Impulses remove the velocity of every
 /// node relative to its point, node after node, until all fit; they keep momentum, and its moment where nodes lie on
 /// the faces, and need no smaller step. On a surface of a part (`solid_surface`, `plate_surface`) a tie ends with the
-/// element that it is tied to.
+/// element that it is tied to; with a TieStrength, after the step in which its force has reached it.
 class Tied {
  public:
   /// `tolerance` is the largest distance of a node from the surface [length]; 0: a tenth of the mean diagonal of a
-  /// face. Errors: no nodes; at the start, a node farther from the surface, or one that belongs to it.
-  Tied(std::vector<Index> nodes, Surface surface, double tolerance = 0)
-      : nodes_(detail::ascending(std::move(nodes))), surface_(std::move(surface)), tolerance_(tolerance) {
+  /// face. Errors: no nodes; a strength that is not positive; at the start, a node farther from the surface, or one
+  /// that belongs to it.
+  Tied(std::vector<Index> nodes, Surface surface, TieStrength strength)
+      : Tied(std::move(nodes), std::move(surface), 0, strength) {}
+  Tied(std::vector<Index> nodes, Surface surface, double tolerance = 0, TieStrength strength = {})
+      : nodes_(detail::ascending(std::move(nodes))),
+        surface_(std::move(surface)),
+        tolerance_(tolerance),
+        strength_(strength) {
+    if (!(strength.normal > 0) || !(strength.shear > 0))
+      throw Error(detail::joined({"strike: a Tied has the strengths ", detail::text(strength.normal), " and ",
+                                  detail::text(strength.shear), "; give positive forces, or none."}));
     if (nodes_.empty()) throw Error("strike: a Tied has no nodes; give it some, such as surface_nodes(faces).");
   }
 
@@ -59,12 +76,14 @@ class Tied {
     double fastest = 0;
     for (const auto& v : all_.v) fastest = std::max(fastest, v.norm());
     sweeps_ = 0;
+    pulled_.assign(ties_.size(), Eigen::Vector3d::Zero());
     for (double left = 1; left > 1e-12 * fastest && sweeps_ < 100; ++sweeps_) {
       left = 0;
       for (std::size_t k = 0; k < ties_.size(); ++k) left = std::max(left, pull(k, step.dt));
     }
     all_.scatter(nodes, ledger);
     step_ = step;
+    break_ties();
   }
 
   /// Unties the nodes from the cells of a part that are not alive.
@@ -76,22 +95,18 @@ class Tied {
         ties_[left] = ties_[k], faces_[left] = faces_[k], ++left;
     ties_.resize(left), faces_.resize(left);
   }
-  /// Number of the nodes that are tied.
+  /// Number of the nodes that are tied, and of the ties that have broken.
   std::size_t size() const { return ties_.size(); }
+  std::size_t broken() const { return broken_; }
 
   /// The force on the tied nodes in the last step.
-  Eigen::Vector3d force() const {
-    using namespace detail;
-    Eigen::Vector3d sum{0, 0, 0};
-    for (const ContactPair& tie : ties_) sum += all_.normal_impulse[tie.nodes[0]];
-    return sum / step_.kick();
-  }
+  const Eigen::Vector3d& force() const { return force_; }
   /// Number of sweeps over the nodes in the last step.
   int sweeps() const { return sweeps_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(all_, step_, sweeps_, ties_, faces_);
+    archive(all_, step_, sweeps_, ties_, faces_, force_, broken_);
   }
 
  private:
@@ -151,10 +166,31 @@ class Tied {
     for (int a = 0; a < 3; ++a) {
       tie.normal = unit(Axis{a});
       if (const double inverse_effective_mass = tie.inverse_effective_mass_along(all_, tie.normal);
-          inverse_effective_mass > 0)
+          inverse_effective_mass > 0) {
         tie.push(all_, -v[a] / inverse_effective_mass);
+        pulled_[k](a) -= v[a] / inverse_effective_mass;
+      }
     }
     return v.norm();
+  }
+
+  /// Sums the forces of the step, and removes the ties that have reached their strength.
+  void break_ties() {
+    force_.setZero();
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < ties_.size(); ++k) {
+      const Eigen::Vector3d force = (1 / step_.kick()) * pulled_[k];  // on the node
+      force_ += force;
+      const Eigen::Vector3d n = normal_of(ties_[k], faces_[k], target_.corners(faces_[k], all_.x));
+      const double along = n.dot(force), side = target_.is_plate(faces_[k]) && ties_[k].gap < 0 ? -1 : 1;
+      const double tension = std::max(0.0, -side * along) / strength_.normal,
+                   shear = (force - along * n).norm() / strength_.shear;
+      if (tension * tension + shear * shear >= 1)
+        ++broken_;
+      else
+        ties_[left] = ties_[k], faces_[left] = faces_[k], ++left;
+    }
+    ties_.resize(left), faces_.resize(left);
   }
 
   std::vector<Index> nodes_, faces_;
@@ -165,11 +201,15 @@ class Tied {
   };
   std::vector<Cell> cells_;  // of the faces of the surface
   double tolerance_;
+  TieStrength strength_;
   ContactNodes all_;
   detail::Target target_;
   std::vector<ContactPair> ties_;
+  std::vector<Eigen::Vector3d> pulled_;  // impulse on the node of each tie in this step [force time]
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   Step step_;
   int sweeps_ = 0;
+  std::size_t broken_ = 0;
 };
 
 }  // namespace strike
