@@ -270,25 +270,25 @@ template <class Make>
 void answers_alike(const Make& make, const Allowed& allowed = {}) {
   for (const Encounter& scene : encounters()) {
     const bool flush = scene.name.starts_with("flush");
-    const double rounding = flush ? 1e-6 : 1e-9;
+    const double rounding = 1e-11, settled = 1e-6 + allowed.order;
     std::vector<Change> changes{
         {.name = "turned", .tolerance = rounding, .turn = {0.3, -1.1, 0.7}},
         {.name = "moved", .tolerance = rounding, .moved = {12, -7, 5}},
-        {.name = "renumbered", .tolerance = 1e-6 + allowed.order, .seed = 1},
-        {.name = "plates from behind", .tolerance = 1e-6, .flips = true},
+        {.name = "renumbered", .tolerance = settled, .seed = 1},
+        {.name = "plates from behind", .tolerance = rounding, .flips = true},
         {.name = "millimetres", .tolerance = rounding, .length = 1000},
         {.name = "tonnes", .tolerance = rounding, .mass = 1e-3},
         {.name = "a far element deleted", .tolerance = 1e-12, .far_goes = true},
         {.name = "three threads", .tolerance = 0, .threads = 3},
-        {.name = "half the step", .tolerance = 2e-2, .step = 1e-3},
-        {.name = "aside by 1e-12", .tolerance = 1e-6, .aside = {1e-12, 0, 0}},
+        {.name = "half the step", .tolerance = 1e-2 + allowed.order, .step = 1e-3},
+        {.name = "aside by 1e-12", .tolerance = 1e-9, .aside = {1e-12, 0, 0}},
     };
     if (!flush || allowed.has_edges)
       changes.push_back(
           {.name = "aside by 1e-3", .tolerance = 2e-3 + allowed.depth + allowed.order, .aside = {-1e-3, 1e-3, 0}});
     if (allowed.two_way) {
-      changes.push_back({.name = "swapped", .tolerance = 1e-3 + allowed.order, .swaps = true});
-      changes.push_back({.name = "faces that meet", .tolerance = 1e-3, .ends_only = true});
+      changes.push_back({.name = "swapped", .tolerance = settled, .swaps = true});
+      changes.push_back({.name = "faces that meet", .tolerance = settled, .ends_only = true});
     }
     const auto as_it_is = answer(scene, make, {});
     const auto untouched = answer(scene, [](const Surface&, const Surface&) { return NoContact{}; }, {});
