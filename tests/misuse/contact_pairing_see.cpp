@@ -4,7 +4,7 @@
 using namespace strike;
 
 struct Pair : SelfContact {
-  void see(const Mesh& mesh) const { surface_nodes(surface(mesh)); }
+  void see(const Mesh&) const {}
 };
 
 int main() {
