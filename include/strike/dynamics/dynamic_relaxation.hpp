@@ -4,8 +4,11 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
 
-#include <strike/cxx20.hpp>
+#include <strike/element/element.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 
@@ -17,6 +20,7 @@ namespace strike {
 //                                                    would give: true if all nodes are to stop
 //     restarts() -> bool                             the nodes start from rest in this step
 //     is_at_rest() -> bool                           the run is to end
+//     add_warning(part, warnings)                    of a RunningPart, what the user should know first
 //     serialize(archive)                             its memory
 //
 // Models: NoDamping, DynamicRelaxation.
@@ -34,6 +38,7 @@ struct NoDamping {
     static constexpr bool passes_peak(double, double) { return false; }
     static constexpr bool restarts() { return false; }
     static constexpr bool is_at_rest() { return false; }
+    static void add_warning(const auto&, std::vector<std::string>&) {}
     void serialize(auto&) {}
   };
 };
@@ -79,6 +84,13 @@ class DynamicRelaxation::Running {
   bool restarts() const { return restarts_; }
   bool is_at_rest() const { return peaks_ > 0 && quiet_steps_ > 2 * longest_; }
   std::size_t peaks() const { return peaks_; }
+  template <class Part>
+  void add_warning(const Part& part, std::vector<std::string>& warnings) const {
+    if constexpr (flows<typename Part::Element>())
+      warnings.push_back(detail::joined({"the viscous hourglass control of part ", std::to_string(part.number()),
+                                         " flows under a constant load, so that it may never come to rest; take "
+                                         "StiffnessHourglass for a relaxation."}));
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {

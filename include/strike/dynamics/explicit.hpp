@@ -118,13 +118,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   std::vector<std::string> warnings() const {
     std::vector<std::string> all = RunningScene::warnings();
     cycle_.add_warnings(this->items_, all);
-    if constexpr (damps)
-      this->each_part([&](const auto& part) {
-        if constexpr (flows<typename std::remove_cvref_t<decltype(part)>::Element>())
-          all.push_back(detail::joined({"the viscous hourglass control of part ", std::to_string(part.number()),
-                                        " flows under a constant load, so that it may never come to rest; take "
-                                        "StiffnessHourglass for a relaxation."}));
-      });
+    this->each_part([&](const auto& part) { damping_.add_warning(part, all); });
     return all;
   }
   /// The energies at the last time at which both neighbouring velocities are known, one step back; with Subcycling at
@@ -309,24 +303,6 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   double moved_by_rounding_ = 0;  // sum of m spacing^2/2 [energy time^2]
   Clock clock_;
   double end_ = std::numeric_limits<double>::infinity();
-};
-
-/// Fallback for a scene or method that cannot run: the static_asserts of its pieces are the one message.
-template <class Method, class... Items>
-  requires(!detail::can_run<Method, Items...>)
-class Explicit<Method, Items...> : public detail::IllFormedRun<sizeof...(Items)> {
-  static_assert((detail::suits<typename Method::Bound, Items> && ...),
-                "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
-                "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
-  template <class Item>
-  using Checked = std::conditional_t<
-      Scene<Items...>::sound,
-      detail::CheckedItem<Item, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>, Item*>;
-  static_assert((sizeof(Checked<Items>) + ... + 0) > 0);
-
- public:
-  explicit Explicit(const auto&...) {}
-  explicit Explicit(const Scene<Items...>&, const ExplicitOptions&, const auto&...) {}
 };
 
 template <class... Items>

@@ -3,11 +3,15 @@
 #include <cstddef>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include <strike/dynamics/explicit_options.hpp>
 #include <strike/dynamics/part.hpp>
+#include <strike/dynamics/running_item.hpp>
+#include <strike/dynamics/scene.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/ledger.hpp>
 
@@ -109,3 +113,28 @@ class IllFormedRun {
 };
 
 }  // namespace strike::detail
+
+namespace strike {
+
+template <class Method, class... Items>
+class Explicit;
+
+/// Fallback for a scene or method that cannot run: the static_asserts of its pieces are the one message.
+template <class Method, class... Items>
+  requires(!detail::can_run<Method, Items...>)
+class Explicit<Method, Items...> : public detail::IllFormedRun<sizeof...(Items)> {
+  static_assert((detail::suits<typename Method::Bound, Items> && ...),
+                "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
+                "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
+  template <class Item>
+  using Checked = std::conditional_t<
+      Scene<Items...>::sound,
+      detail::CheckedItem<Item, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>, Item*>;
+  static_assert((sizeof(Checked<Items>) + ... + 0) > 0);
+
+ public:
+  explicit Explicit(const auto&...) {}
+  explicit Explicit(const Scene<Items...>&, const ExplicitOptions&, const auto&...) {}
+};
+
+}  // namespace strike

@@ -50,18 +50,20 @@ struct Begin {
   };
   template <class Item>
   using Member = decltype(&Item::begin);
-  static void call(auto& item, auto& nodes, std::span<const PartFaces> parts)
-    requires requires { item.begin(nodes, parts); } || requires { item.begin(nodes); }
-  {
-    if constexpr (requires { item.begin(nodes, parts); })
-      item.begin(nodes, parts);
-    else
-      item.begin(nodes);
+  template <class Item, class N>
+  static constexpr bool takes_parts =
+      requires(Item& item, N& nodes, std::span<const PartFaces> parts) { item.begin(nodes, parts); };
+  template <class Item, class N>
+    requires takes_parts<Item, N>
+  static void call(Item& item, N& nodes, std::span<const PartFaces> parts) {
+    item.begin(nodes, parts);
+  }
+  template <class Item, class N>
+    requires(!takes_parts<Item, N>)
+  static auto call(Item& item, N& nodes, std::span<const PartFaces>) -> decltype(item.begin(nodes)) {
+    return item.begin(nodes);
   }
 };
-template <class Item, class N>
-concept BeginsWithParts =
-    requires(Item& item, N& nodes, std::span<const PartFaces> parts) { item.begin(nodes, parts); };
 struct StableStep {
   struct Decoy {
     int stable_step;
@@ -118,15 +120,21 @@ struct ResolveContact {
   };
   template <class Item>
   using Member = decltype(&Item::resolve_contact);
-  template <class Execution = Serial>
-  static void call(auto& item, auto& nodes, const Step& step, Ledger& ledger, const Execution& execution = {})
-    requires requires { item.resolve_contact(nodes, step, ledger, execution); } ||
-             requires { item.resolve_contact(nodes, step, ledger); }
-  {
-    if constexpr (requires { item.resolve_contact(nodes, step, ledger, execution); })
-      item.resolve_contact(nodes, step, ledger, execution);
-    else
-      item.resolve_contact(nodes, step, ledger);
+  template <class Item, class N, class E>
+  static constexpr bool takes_execution =
+      requires(Item& item, N& nodes, const Step& step, Ledger& ledger, const E& execution) {
+        item.resolve_contact(nodes, step, ledger, execution);
+      };
+  template <class Item, class N, class E = Serial>
+    requires takes_execution<Item, N, E>
+  static void call(Item& item, N& nodes, const Step& step, Ledger& ledger, const E& execution = {}) {
+    item.resolve_contact(nodes, step, ledger, execution);
+  }
+  template <class Item, class N, class E = Serial>
+    requires(!takes_execution<Item, N, E>)
+  static auto call(Item& item, N& nodes, const Step& step, Ledger& ledger, const E& = {})
+      -> decltype(item.resolve_contact(nodes, step, ledger)) {
+    return item.resolve_contact(nodes, step, ledger);
   }
 };
 struct Remove {

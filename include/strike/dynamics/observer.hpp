@@ -134,25 +134,31 @@ constexpr bool report() {
 }
 /// Calls f(run), or else f().
 template <class Observer, class Run>
+void observe(Observer& observer, Run&) {
+  observer();
+}
+template <class Observer, class Run>
+  requires CalledWithRun<Observer, Run>
 void observe(Observer& observer, Run& run) {
-  if constexpr (CalledWithRun<Observer, Run>)
-    observer(run);
-  else
-    observer();
+  observer(run);
 }
 template <class Observer>
+bool stops(const Observer&) {
+  return false;
+}
+template <class Observer>
+  requires answers<Stops, const Observer>
 bool stops(const Observer& observer) {
-  if constexpr (answers<Stops, const Observer>)
-    return observer.stops();
-  else
-    return false;
+  return observer.stops();
 }
 template <class Observer, class Run, class All>
+bool resumes(Observer&, Run&, const All&) {
+  return false;
+}
+template <class Observer, class Run, class All>
+  requires answers<Resume, Observer, Run, const All>
 bool resumes(Observer& observer, Run& run, const All& all) {
-  if constexpr (answers<Resume, Observer, Run, const All>)
-    return observer.resume(run, all);
-  else
-    return false;
+  return observer.resume(run, all);
 }
 
 }  // namespace strike::detail::observer

@@ -117,7 +117,7 @@ class RunningScene {
   /// Errors: those of the items.
   void begin_items() {
     std::vector<PartFaces> parts;
-    if constexpr ((item::BeginsWithParts<Items, Nodes> || ...))
+    if constexpr ((item::Begin::takes_parts<Items, Nodes> || ...))
       each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
     const std::span<const PartFaces> all(parts);
     each([&](auto& item) { call_if_present<item::Begin>(item, nodes_, all); });
