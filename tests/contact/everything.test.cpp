@@ -17,6 +17,7 @@
 #include <strike/output/checkpoint.hpp>
 #include <strike/section/layered.hpp>
 
+#include "examples/own_element/truss.hpp"
 #include "output/scratch.hpp"
 #include "support/catch.hpp"
 
@@ -217,7 +218,31 @@ TEST_CASE("everything meets the faces that deletions expose, of the same part an
   CHECK(lowest > 0.9);  // the face of the lower cube, which bends a little
 }
 
-TEST_CASE("a scene without solids and plates has no everything") {
+TEST_CASE("everything leaves parts alone that have no faces, such as trusses of a user's own") {
+  const Stack stack;
+  Mesh mesh = stack.mesh;
+  const Index first = static_cast<Index>(mesh.nodes.size());
+  mesh.nodes.push_back({0.4, 0.4, 2}), mesh.nodes.push_back({0.4, 0.4, 3});
+  const Cells<2> wire{{first, first + 1}};
+  const Part trusses{Truss{.area = 1}, Wire{.density = 1, .youngs_modulus = 1, .yield_stress = 1}, wire};
+  const auto after = [&](const auto& contact) {
+    Explicit run{Scene{mesh.nodes, trusses, Part{Hex8{}, stiff, stack.lower}, Part{Hex8{}, stiff, stack.upper},
+                       stack.plate(), InitialVelocity{{0, 0.1, -1}, stack.falling}, contact}};
+    run.until(0.3);
+    return run.positions();
+  };
+  CHECK(after(Contact{Everything{.except = {{{0, 1}}}}}) == after(Contact{Everything{}}));
+  const auto with_everything = [] {
+    return Explicit{
+        Scene{std::vector<Eigen::Vector3d>{{0, 0, 0}, {0, 0, 1}},
+              Part{Truss{.area = 1}, Wire{.density = 1, .youngs_modulus = 1, .yield_stress = 1}, Cells<2>{{0, 1}}},
+              Contact{Everything{}}}};
+  };
+  CHECK_THROWS_WITH(with_everything(),
+                    "strike: Contact{Everything{}} finds no part that is made of hexahedra, tetrahedra or plates.");
+}
+
+TEST_CASE("a part that is not there cannot be left out of everything") {
   const Mesh mesh = box({.size = {1, 1, 1}});
   CHECK_THROWS_WITH(
       (Explicit{Scene{mesh.nodes, Part{Hex8{}, stiff, mesh.hexahedra}, Contact{Everything{.except = {{{1, 1}}}}}}}),

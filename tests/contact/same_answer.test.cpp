@@ -238,3 +238,37 @@ TEST_CASE("faces of plates are turned to one side within each piece, and no furt
   detail::face_one_side(same);
   CHECK(same == tee);
 }
+
+namespace {
+
+/// Speeds up nodes in one step, after the contacts before it.
+struct Kick {
+  std::vector<Index> nodes;
+  double speed;
+  void resolve_contact(auto& all, const Step& step, Ledger& ledger) const {
+    if (step.number != 30) return;
+    for (const Index i : nodes) {
+      const double before = all.v(i).z(), impulse = all.mass(i) * (-speed - before);
+      ledger.external.book_impulse(impulse * before, -impulse * speed);
+      all.set_velocity(i, {0, 0, -speed});
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what another item speeds up in a step does not pass through a surface that rested") {
+  Mesh mesh = rectangle({.lower = {0, 0, 0}, .size = {4, 4}, .cells = {4, 4}});
+  const auto held = nodes_where(mesh.nodes, [](const auto&) { return true; });
+  const std::vector<Index> cube =
+      append_body(mesh, box({.lower = {1.6, 1.6, 0.11}, .size = {0.5, 0.5, 2}, .cells = {1, 1, 1}}));
+  const Surface plate{quadrilateral_surface(mesh.quadrilaterals), thickness};
+  Explicit run{Scene{mesh.nodes, Part{Hex8{}, stiff, mesh.hexahedra},
+                     Part{Plate4{}, Homogeneous{PlaneStress{weak}, thickness}, mesh.quadrilaterals}, Clamped{held},
+                     InitialVelocity{{0, 0, -0.01}, cube}, Contact{NodeToSurface{cube, plate}}, Kick{cube, 60}},
+               ExplicitOptions{.largest_step = 5e-3, .energy_tolerance = 1}};
+  for (int n = 0; n < 30; ++n) run.step();
+  CHECK(run.nodes().x(cube[0]).z() < 0);  // it has gone through in the step of the kick
+  run.step();
+  CHECK(run.nodes().x(cube[0]).z() == Approx(0.5 * thickness));
+}

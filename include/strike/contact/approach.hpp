@@ -88,8 +88,6 @@ class Approach {
     Rounding rounding;
     find(all, step, pairs, rounding, execution);
   }
-  /// Takes note that the impulses of the step have moved the nodes.
-  void moved(const ContactNodes& all, double dt) { near_.moved(all, dt); }
 
   /// The step in which no node closes on a face by more than their gap and a share of the face, for a step of about
   /// `dt`, when positions have moved for a time `moved` at the present velocities.

@@ -183,11 +183,10 @@ concept RigidBody = std::copyable<B> && requires(const B body, const Eigen::Vect
 /// 1. `begin(nodes, inside)` is called once; it adds nodes that start inside to the InitialPenetration.
 /// 2. `find(nodes, step, pairs)` appends the pairs of the step, in the order of the nodes' numbers; or
 ///    `find(nodes, step, pairs, execution)`, which may use the Execution of the run.
-/// 3. `moved(nodes, dt)` follows the impulses of the step, which may have sped up nodes.
-/// 4. `largest_inverse_mass()` bounds the 1/m* of all pairs [1/mass].
-/// 5. `serialize(archive)`: see strike/output/archive.hpp.
-/// 6. `remove(part, alive, nodes)`, optional: cells of a part have gone.
-/// 7. `closing_step(nodes, moved, dt)`, optional: a step of at most dt in which nothing that comes to touch closes
+/// 3. `largest_inverse_mass()` bounds the 1/m* of all pairs [1/mass].
+/// 4. `serialize(archive)`: see strike/output/archive.hpp.
+/// 5. `remove(part, alive, nodes)`, optional: cells of a part have gone.
+/// 6. `closing_step(nodes, moved, dt)`, optional: a step of at most dt in which nothing that comes to touch closes
 ///    by more than its gap and a tenth of a cell, when the nodes have moved for the time `moved` at their velocities.
 ///
 /// Laws that no compiler checks: `pair.stored` stays the same number as long as a touch lasts, and begins at 0.
@@ -198,7 +197,6 @@ concept Meeting = requires(M meeting, const M same, const ContactNodes nodes, de
                            const Step step, std::vector<ContactPair> pairs) {
   meeting.begin(nodes, inside);
   detail::Find::call(meeting, nodes, step, pairs, Serial{});
-  meeting.moved(nodes, 0.0);
   { same.largest_inverse_mass() } -> std::convertible_to<double>;
 };
 

@@ -71,7 +71,6 @@ class Contact {
     kappa_ = law_.press(pairs_, all_, step);
     step_ = step;
     if constexpr (!std::is_same_v<F, Frictionless>) rub();
-    meeting_->moved(all_, step.dt);
     all_.scatter(nodes, ledger);
     using namespace detail;
     Eigen::Vector3d sum{0, 0, 0};

@@ -104,7 +104,8 @@ class EdgeApproach {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(targets_[0], targets_[1], touches_, crests_[0], crests_[1], search_, neighbourhood_, margin_, travelled_);
+    archive(targets_[0], targets_[1], touches_, crests_[0], crests_[1], search_, neighbourhood_, margin_, travelled_,
+            reach_);
   }
 
  private:
@@ -132,19 +133,26 @@ class EdgeApproach {
 
   /// Finds crests and which are near, if they may have moved by the margin at the end of the step after this one.
   void update(const ContactNodes& all, double dt) {
-    double fastest = 0;
+    // What was expected of the last step gives way to what it was, with all impulses.
+    travelled_ += 2 * fastest([&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; }) - reach_;
+    reach_ = 2 * dt * fastest([&](Index i) { return all.v[i]; });
+    if (!(travelled_ + 2 * reach_ <= margin_)) sort(all, std::max(8 * reach_, 0.5 * size_));
+    travelled_ += reach_;
+  }
+  /// The largest of a vector at the ends of crests relative to their mean.
+  template <class Of>
+  double fastest(const Of& of) const {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     const auto each_end = [&](const auto& g) {
       for (const auto& edges : crests_)
         for (const Edge& edge : edges)
-          for (const Index i : edge.ends) g(all.v[i]);
+          for (const Index i : edge.ends) g(of(i));
     };
-    const double ends = 2 * static_cast<double>(crests_[0].size() + crests_[1].size());
-    each_end([&](const Eigen::Vector3d& v) { mean += (1 / ends) * v; });
-    each_end([&](const Eigen::Vector3d& v) { fastest = std::max(fastest, (v - mean).squaredNorm()); });
-    const double reach = 2 * dt * std::sqrt(fastest);
-    if (!(travelled_ + reach <= margin_)) sort(all, std::max(8 * reach, 0.5 * size_));
-    travelled_ += reach;
+    double most2 = 0;
+    each_end([&](const Eigen::Vector3d& a) { mean += a; });
+    mean /= 2 * static_cast<double>(std::max<std::size_t>(crests_[0].size() + crests_[1].size(), 1));
+    each_end([&](const Eigen::Vector3d& a) { most2 = std::max(most2, (a - mean).squaredNorm()); });
+    return std::sqrt(most2);
   }
   void sort(const ContactNodes& all, double margin) {
     double longest = 0;
@@ -298,7 +306,7 @@ class EdgeApproach {
   std::vector<EdgeTouch> touches_, last_;  // of this step and of the last
   std::array<std::vector<Edge>, 2> crests_;
   BucketSearch search_;  // of the crests of the second near the middle of each of the first
-  double margin_ = -1, travelled_ = 0;
+  double margin_ = -1, travelled_ = 0, reach_ = 0;
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
   Neighbourhood neighbourhood_;
 };

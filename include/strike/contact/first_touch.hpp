@@ -65,11 +65,10 @@ class FirstTouch {
     const double clearance = std::max(from.norm() - std::sqrt(half2) - warp - deep, above);
     if (clearance > farthest_) return clearance;
     const bool is_at = !(above > reach.tolerance);
-    const bool is_outside = reach.two_sided || height > 0;
-    if (is_outside || is_at) {
+    if (reach.two_sided || height > 0 || is_at) {
       if (const Crossing next = in_step(f, X, reach); next.happens()) return meet(f, next, next.when), 0;
     }
-    if (!is_outside || is_at) {
+    if (reach.two_sided || height <= 0 || is_at) {
       if (const Crossing last = in_last_step(f, X, reach); last.happens()) meet(f, last, last.when - 1);
     }
     return 0;

@@ -36,19 +36,19 @@ class NearFaces {
   /// Searches again if nodes and faces may have moved by the margin at the end of a step; `size` is that of the faces.
   void update(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target, double reach, double size,
               double dt) {
-    speed_ = relative_speed(all, nodes, target);
+    if (corners_.empty()) {
+      for (const auto& face : target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
+      corners_ = ascending(std::move(corners_));
+    }
+    // What was expected of the last step gives way to what it was, with all impulses.
+    last_reach_ = fastest(nodes, [&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; });
+    travelled_ += last_reach_ - step_reach_;
+    speed_ = fastest(nodes, [&](Index i) { return all.v[i]; });
     step_reach_ = dt * speed_;
     // Twice the way, so that the step after this one is seen too.
     if (!(travelled_ + 2 * step_reach_ <= margin_))
       sort(all, nodes, target, reach, std::max(8 * step_reach_, 0.5 * size));
     travelled_ += step_reach_;
-  }
-  /// Corrects the distance travelled by what the impulses of the step have sped up.
-  void moved(const ContactNodes& all, double dt) {
-    double most = 0;
-    for (const Index i : all.touched()) most = std::max(most, (all.v[i] - mean_velocity_).norm());
-    last_reach_ = std::max(step_reach_, 2 * dt * most);
-    travelled_ += last_reach_ - step_reach_;
   }
   /// Bound of the way of a node relative to a face in this step, or in the last one [length].
   double reach() const { return std::max(step_reach_, last_reach_); }
@@ -83,34 +83,31 @@ class NearFaces {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(corners_, search_, margin_, travelled_, last_reach_, largest_inverse_mass_, sorts_);
+    archive(corners_, search_, margin_, travelled_, step_reach_, largest_inverse_mass_, sorts_);
     wake_all();
   }
 
  private:
   void wake_all() { wakes_.assign(search_.size(), 0.0), first_wakes_.assign(search_.nodes(), 0.0); }
 
-  /// Bound of the speed of a node relative to a face: the largest speeds of both relative to the faces' mean velocity.
-  double relative_speed(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target) {
-    if (corners_.empty()) {
-      for (const auto& face : target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
-      corners_ = ascending(std::move(corners_));
-    }
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Index i : corners_) sum += all.v[i];
-    mean_velocity_ = (1 / static_cast<double>(corners_.size())) * sum;
-    const auto fastest = [&](const std::vector<Index>& some) {
-      double most = 0;
-      for (const Index i : some) most = std::max(most, (all.v[i] - mean_velocity_).squaredNorm());
-      return std::sqrt(most);
+  /// Bound of a vector, such as the velocity, of a node relative to a face: the sum of the largest of both relative to
+  /// the mean of the faces.
+  template <class Of>
+  double fastest(const std::vector<Index>& nodes, const Of& of) const {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Index i : corners_) mean += of(i);
+    mean /= static_cast<double>(corners_.size());
+    const auto most = [&](const std::vector<Index>& some) {
+      double most2 = 0;
+      for (const Index i : some) most2 = std::max(most2, (of(i) - mean).squaredNorm());
+      return std::sqrt(most2);
     };
-    const double of_faces = fastest(corners_);
-    return of_faces + (self ? of_faces : fastest(nodes));
+    const double of_faces = most(corners_);
+    return of_faces + (self ? of_faces : most(nodes));
   }
 
   BucketSearch search_;
   std::vector<Index> corners_;  // of the faces, each once
-  Eigen::Vector3d mean_velocity_ = Eigen::Vector3d::Zero();
   double margin_ = -1, travelled_ = 0, speed_ = 0, step_reach_ = 0, last_reach_ = 0, largest_inverse_mass_ = 0;
   std::size_t sorts_ = 0;
   std::vector<double> wakes_,

@@ -93,9 +93,6 @@ class SurfaceMeeting {
     for (auto& edges : edges_) edges.find(all, step, pairs, touches, rounding_);
     rounding_.end_step();
   }
-  void moved(const ContactNodes& all, double dt) {
-    for (auto& approach : approaches_) approach.moved(all, dt);
-  }
   double closing_step(const ContactNodes& all, double moved, double dt) {
     for (auto& approach : approaches_) dt = approach.closing_step(all, moved, dt);
     return dt;
@@ -233,28 +230,28 @@ struct Everything {
   std::optional<Surface> surface_of(std::span<const PartFaces> parts) const {
     const bool solids_erode = std::any_of(parts.begin(), parts.end(),
                                           [](const PartFaces& part) { return part.erodes && !(part.thickness > 0); });
-    std::optional<Surface> all;
-    std::vector<Index> piece(parts.size());
+    std::vector<Surface::Piece> pieces;
+    std::vector<Index> piece(parts.size(), detail::Target::none);
     for (std::size_t p = 0; p < parts.size(); ++p) {
       if (parts[p].faces.empty()) continue;
-      piece[p] = all ? static_cast<Index>(all->pieces().size()) : 0;
-      Surface own({.thickness = parts[p].thickness,
-                   .part = p,
-                   .cells = parts[p].cells,
-                   .erodes = true,
-                   .of_cells = parts[p].faces});
-      all = all ? *all + own : own;
+      piece[p] = static_cast<Index>(pieces.size());
+      pieces.push_back({.thickness = parts[p].thickness,
+                        .part = p,
+                        .cells = parts[p].cells,
+                        .erodes = true,
+                        .of_cells = parts[p].faces});
     }
-    if (!all) return all;
+    if (pieces.empty()) return std::nullopt;
+    Surface all(std::move(pieces));
     for (std::size_t p = 0; p < parts.size(); ++p)
-      if (!(parts[p].thickness > 0 ? parts[p].erodes : solids_erode)) all->settle(p);
+      if (!(parts[p].thickness > 0 ? parts[p].erodes : solids_erode)) all.settle(p);
     for (const auto& [p, q] : except) {
       for (const std::size_t named : {p, q})
         if (named >= parts.size())
           throw Error(detail::joined({"strike: Everything excepts part ", std::to_string(named), ", but the scene has ",
                                       std::to_string(parts.size()), parts.size() == 1 ? " part" : " parts",
                                       "; count its parts from 0."}));
-      all->keep_apart(piece[p], piece[q]);
+      if (piece[p] != detail::Target::none && piece[q] != detail::Target::none) all.keep_apart(piece[p], piece[q]);
     }
     return all;
   }

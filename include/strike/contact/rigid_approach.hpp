@@ -52,7 +52,6 @@ class RigidApproach {
       pairs.back().add(i, 1), remember(pairs.back(), touch);
     }
   }
-  void moved(const ContactNodes&, double) {}
   double closing_step(const ContactNodes& all, double moved, double dt) const {
     double step = dt;
     for (std::size_t s = 0; s < nodes_.size(); ++s) {

@@ -45,15 +45,18 @@ class Surface {
   /// `thickness` of the plate [length]. Errors: no face; a negative thickness.
   explicit Surface(std::vector<Face> faces, double thickness = 0)
       : Surface(Piece{.faces = std::move(faces), .thickness = thickness}) {}
+  explicit Surface(Piece piece) : Surface(std::vector<Piece>{std::move(piece)}) {}
   /// Errors: no face; a negative thickness.
-  explicit Surface(Piece piece) {
-    if (piece.faces.empty() && piece.of_cells.empty())
-      throw Error("strike: a Surface has no faces; give it some, such as surface(mesh) or solid_surface(cells, part).");
-    if (!(piece.thickness >= 0))
-      throw Error(detail::joined({"strike: a Surface has the thickness ", detail::text(piece.thickness),
-                                  "; give that of the plate, or none if the faces bound a solid."}));
-    pieces_.push_back(std::move(piece));
+  explicit Surface(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
     uncover();
+    for (const Piece& piece : pieces_) {
+      if (!(piece.thickness >= 0))
+        throw Error(detail::joined({"strike: a Surface has the thickness ", detail::text(piece.thickness),
+                                    "; give that of the plate, or none if the faces bound a solid."}));
+      if (piece.faces.empty() && piece.of_cells.empty())
+        throw Error(
+            "strike: a Surface has no faces; give it some, such as surface(mesh) or solid_surface(cells, part).");
+    }
   }
 
   friend Surface operator+(Surface one, const Surface& other) {

@@ -23,7 +23,10 @@ PartFaces faces_of(const Part& part, const Nodes& nodes) {
       append_faces(known.faces, part.cells(nodes), tetrahedron_faces, 0);
     }
   }
-  known.wave_modulus = moduli_at_rest(part.material()).wave();
+  if constexpr (Part::n == 8 || Part::n == 4) {
+    if constexpr (requires { double{moduli_at_rest(part.material()).wave()}; })
+      known.wave_modulus = moduli_at_rest(part.material()).wave();
+  }
   return known;
 }
 
