@@ -148,7 +148,9 @@ class Contact {
     const std::size_t n = pairs_.size();
     std::vector<Eigen::Vector3d> given(n, Eigen::Vector3d{0, 0, 0}), before(n);  // against the sliding [force time]
     const auto give = [&](std::size_t p, const Eigen::Vector3d& impulse) {
-      pairs_[p].drag(all_, given[p] - impulse);
+      const ContactPair& pair = pairs_[p];
+      const Eigen::Vector3d change = given[p] - impulse;
+      for (unsigned i = 0; i < pair.count; ++i) all_.nudge(pair.nodes[i], pair.weights[i] * change);
       given[p] = impulse;
     };
     double fastest = 0;
@@ -184,8 +186,11 @@ class Contact {
       for (std::size_t p = 0; p < n; ++p) give(p, Eigen::Vector3d{0, 0, 0});
       correct();
     }
-    for (std::size_t p = 0; p < n; ++p)
+    for (std::size_t p = 0; p < n; ++p) {
+      for (unsigned i = 0; i < pairs_[p].count; ++i)
+        all_.book_drag(pairs_[p].nodes[i], -pairs_[p].weights[i] * given[p]);
       if (pairs_[p].friction) *pairs_[p].friction = (1 / step_.kick()) * given[p];
+    }
   }
   /// The part of a vector along the surface.
   static Eigen::Vector3d along(const ContactPair& pair, const Eigen::Vector3d& a) {

@@ -151,6 +151,13 @@ class ContactNodes {
   /// Gives node i an impulse along a normal, or of friction [force time].
   void push(Index i, const Eigen::Vector3d& impulse) { add(i, impulse, normal_impulse); }
   void drag(Index i, const Eigen::Vector3d& impulse) { add(i, impulse, friction_impulse); }
+  /// Changes its velocity alone, for laws that try impulses and book the last ones.
+  void nudge(Index i, const Eigen::Vector3d& impulse) {
+    using namespace detail;
+    if (inverse_mass_[i] > 0) v[i] += inverse_mass_[i] * free(i, impulse);
+  }
+  void book_push(Index i, const Eigen::Vector3d& impulse) { book(i, impulse, normal_impulse); }
+  void book_drag(Index i, const Eigen::Vector3d& impulse) { book(i, impulse, friction_impulse); }
 
   /// Nodes that have got an impulse in this step.
   const std::vector<Index>& touched() const { return touched_; }
@@ -187,6 +194,7 @@ class ContactNodes {
     for (std::size_t first = 0, end = 0; first < faces.size(); first = end) {
       double volume = 0, largest = 0;
       std::array<Eigen::Vector3d, 4> X;
+      X.fill(Eigen::Vector3d::Zero());
       std::array<Index, 8> corners{};
       std::size_t count = 0;
       for (; end < faces.size() && faces[end].cell == faces[first].cell; ++end) {
@@ -241,12 +249,14 @@ class ContactNodes {
   }
 
   void add(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
+    book(i, impulse, to);
+    nudge(i, impulse);
+  }
+  void book(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
     using namespace detail;
     if (!(inverse_mass_[i] > 0)) return;
     if (!is_touched_[i]) is_touched_[i] = 1, touched_.push_back(i);
-    const Eigen::Vector3d given = free(i, impulse);
-    to[i] += given;
-    v[i] += inverse_mass_[i] * given;
+    to[i] += free(i, impulse);
   }
 
   std::vector<Index> number_, place_, touched_;
@@ -326,6 +336,17 @@ struct ContactPair {
     using namespace detail;
     impulse += J;
     for (unsigned i = 0; i < count; ++i) all.push(nodes[i], (weights[i] * J) * normal);
+  }
+  /// Gives it to the velocities alone; `book` books the sum of these.
+  void nudge(ContactNodes& all, double J) {
+    using namespace detail;
+    impulse += J;
+    for (unsigned i = 0; i < count; ++i) all.nudge(nodes[i], (weights[i] * J) * normal);
+  }
+  void book(ContactNodes& all) const {
+    using namespace detail;
+    if (impulse != 0)
+      for (unsigned i = 0; i < count; ++i) all.book_push(nodes[i], (weights[i] * impulse) * normal);
   }
   /// Gives the pair an impulse of friction.
   void drag(ContactNodes& all, const Eigen::Vector3d& J) const {

@@ -27,13 +27,13 @@ inline double stable_step_with_contact(double dt, double kappa) {
 namespace detail {
 /// The largest change of velocity in a sweep over pairs that share nodes, relative to the fastest, after which they
 /// need no other.
-inline constexpr double settled = 1e-7;
+inline constexpr double settled = 1e-6;
 }  // namespace detail
 
 /// Impulses that bring nodes to the surface at the end of the step: inelastic impacts of m*, without a stiffness or a
 /// smaller step, at any speed. Pairs that share nodes are corrected one after the other, forward and backward in turn,
 /// each with the velocities that the others have left; an impulse that they make needless is taken back (projected
-/// Gauss-Seidel), until no correction is more than 1e-7 of the fastest approach: so their order does not count. Touches
+/// Gauss-Seidel), until no correction is more than 1e-6 of the fastest approach: so their order does not count. Touches
 /// begin with their force in the last step, so that what rests comes to rest, and most steps take two sweeps. A node
 /// that is inside, because its neighbours moved its face, leaves no faster than it came in: no impulse adds energy.
 struct Kinematic {
@@ -43,13 +43,13 @@ struct Kinematic {
     std::vector<double> approach(pairs.size());  // before all impulses
     for (std::size_t p = 0; p < pairs.size(); ++p) approach[p] = pairs[p].normal.dot(pairs[p].velocity(nodes));
     for (ContactPair& pair : pairs)
-      if (pair.inverse_effective_mass > 0 && *pair.stored > 0) pair.push(nodes, *pair.stored * step.kick());
+      if (pair.inverse_effective_mass > 0 && *pair.stored > 0) pair.nudge(nodes, *pair.stored * step.kick());
     correct(pairs, approach, nodes, step, true);
     if (work(pairs, approach, nodes) > 0) {  // the guess was wrong: without it no impulse adds energy
-      for (ContactPair& pair : pairs) pair.push(nodes, -pair.impulse);
+      for (ContactPair& pair : pairs) pair.nudge(nodes, -pair.impulse);
       correct(pairs, approach, nodes, step, false);
     }
-    for (ContactPair& pair : pairs) *pair.stored = pair.impulse / step.kick();
+    for (ContactPair& pair : pairs) pair.book(nodes), *pair.stored = pair.impulse / step.kick();
     return 0;
   }
 
@@ -75,17 +75,14 @@ struct Kinematic {
         change[p] = 0;
         if (!(w > 0) || !(now < wanted || takes_back)) continue;
         change[p] = std::max(-pair.impulse, (wanted - now) / w);
-        pair.push(nodes, change[p]);
+        pair.nudge(nodes, change[p]);
         most = std::max(most, std::abs(change[p]) * w), norm2 += change[p] * change[p] * w;
       }
       if (sweep < 4 || sweep + 2 >= sweeps) continue;
       if (direction.empty()) direction.assign(pairs.size(), 0.0);
       const double share = norm2 / norm2_before;
       for (std::size_t p = 0; p < pairs.size(); ++p) {
-        if (share < 1 && direction[p] != 0) {
-          const double J = std::max(-pairs[p].impulse, share * direction[p]);
-          pairs[p].push(nodes, J);
-        }
+        if (share < 1 && direction[p] != 0) pairs[p].nudge(nodes, std::max(-pairs[p].impulse, share * direction[p]));
         direction[p] = share < 1 ? share * direction[p] + change[p] : 0;
       }
     }
