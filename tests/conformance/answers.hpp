@@ -128,7 +128,7 @@ struct Encounter {
   }
 };
 
-/// What is done to a scene. The answer is brought back.
+/// A change of a scene, which is undone in its answer.
 struct Change {
   std::string name;
   double tolerance = 0;  ///< of the answer, in sizes of a body, 1
@@ -257,7 +257,7 @@ inline std::vector<Encounter> encounters() {
   return all;
 }
 
-/// What a contact does not promise.
+/// Limits of a contact, by which its answers may differ.
 struct Allowed {
   double depth = 0;       ///< of springs, which changes with the number of nodes that meet faces [size of a body]
   bool has_edges = true;  ///< edges touch edges

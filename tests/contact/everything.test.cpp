@@ -17,28 +17,19 @@
 #include <strike/output/checkpoint.hpp>
 #include <strike/section/layered.hpp>
 
+#include "contact/bodies.hpp"
 #include "examples/own_element/truss.hpp"
 #include "output/scratch.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
+using testing::apart;
+using testing::append_body;
 
 namespace {
 
 const Elastic stiff{.density = 1, .youngs_modulus = 1000, .poissons_ratio = 0.3};
 const Solid soft{LinearEos{.density = 1, .bulk_modulus = 800}, ElasticStrength{400}};
-
-std::vector<Index> append_body(Mesh& mesh, const Mesh& body) {
-  std::vector<Index> numbers(body.nodes.size());
-  Index next = append(mesh, body);
-  for (Index& i : numbers) i = next++;
-  return numbers;
-}
-double apart(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
-  return most;
-}
 
 /// A block falls on another, which lies on a plate.
 struct Stack {

@@ -19,20 +19,16 @@
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/transform.hpp>
 
+#include "contact/bodies.hpp"
 #include "problems/balls.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
+using testing::apart;
 
 namespace {
 
 using Positions = std::vector<Eigen::Vector3d>;
-
-double apart(const Positions& a, const Positions& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
-  return most;
-}
 
 /// Two bodies in one mesh.
 struct Pair {

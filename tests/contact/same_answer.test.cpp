@@ -28,9 +28,12 @@
 #include <strike/mesh/transform.hpp>
 #include <strike/section/layered.hpp>
 
+#include "contact/bodies.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
+using testing::apart;
+using testing::append_body;
 
 namespace {
 
@@ -38,21 +41,6 @@ const Elastic stiff{.density = 1, .youngs_modulus = 1000, .poissons_ratio = 0.3}
 const Solid weak{LinearEos{.density = 1, .bulk_modulus = 800}, VonMises{.shear_modulus = 400, .yield_stress = 0.5},
                  FailureStrain{0.01}};
 constexpr double thickness = 0.1;
-
-/// Numbers of the nodes that a mesh gets by a copy of another.
-std::vector<Index> append_body(Mesh& mesh, const Mesh& body) {
-  std::vector<Index> numbers(body.nodes.size());
-  Index next = append(mesh, body);
-  for (Index& i : numbers) i = next++;
-  return numbers;
-}
-
-/// The largest distance between the same nodes of two runs.
-double apart(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
-  return most;
-}
 
 const Mesh block = box({.lower = {0.3, 0.3, 0}, .size = {1.4, 1.4, 1.4}, .cells = {2, 2, 2}});
 

@@ -143,7 +143,7 @@ class Approach {
     Index node;
     std::size_t first, last;
   };
-  /// What the nodes of a chunk touch.
+  /// Touches of the nodes of a chunk, and their pairs.
   struct Found {
     std::vector<Touch> touches;
     std::vector<ContactPair> pairs;

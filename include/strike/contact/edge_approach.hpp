@@ -133,7 +133,7 @@ class EdgeApproach {
 
   /// Finds crests and which are near, if they may have moved by the margin at the end of the step after this one.
   void update(const ContactNodes& all, double dt) {
-    // What was expected of the last step gives way to what it was, with all impulses.
+    // The way of the last step, with all impulses, takes the place of the one that was expected.
     travelled_ += 2 * fastest([&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; }) - reach_;
     reach_ = 2 * dt * fastest([&](Index i) { return all.v[i]; });
     if (!(travelled_ + 2 * reach_ <= margin_)) sort(all, std::max(8 * reach_, 0.5 * size_));

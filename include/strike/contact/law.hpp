@@ -117,9 +117,11 @@ struct Penalty {
       for (unsigned i = 0; i < pair.count; ++i)
         sum[pair.nodes[i]] += pair.stiffness * moved * std::abs(pair.weights[i]) * nodes.inverse_mass(pair.nodes[i]);
     };
+    std::vector<double> allowed;  // kappa of each pair
     for (ContactPair& pair : pairs) {
       const double w = pair.inverse_effective_mass;
-      pair.stiffness = !(w > 0) ? 0 : stiffness > 0 ? stiffness : fraction / (w * pair.squared_step(nodes));
+      allowed.push_back(stiffness > 0 ? std::numeric_limits<double>::infinity() : fraction / pair.squared_step(nodes));
+      pair.stiffness = !(w > 0) ? 0 : stiffness > 0 ? stiffness : allowed.back() / w;
       add(pair);
     }
     double most = 0;
@@ -128,8 +130,7 @@ struct Penalty {
       double here = 0;
       for (unsigned i = 0; i < pair.count; ++i) here = std::max(here, sum[pair.nodes[i]]);
       most = std::max(most, here);
-      const double share = here * pair.squared_step(nodes) / fraction;
-      if (!(stiffness > 0) && share > 1) pair.stiffness /= share;
+      if (const double most_here = allowed[before.size()]; here > most_here) pair.stiffness *= most_here / here;
       before.push_back(pair.normal.dot(pair.velocity(nodes) - pair.kicked(nodes)));
     }
     for (ContactPair& pair : pairs)

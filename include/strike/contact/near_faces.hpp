@@ -40,7 +40,7 @@ class NearFaces {
       for (const auto& face : target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
       corners_ = ascending(std::move(corners_));
     }
-    // What was expected of the last step gives way to what it was, with all impulses.
+    // The way of the last step, with all impulses, takes the place of the one that was expected.
     last_reach_ = fastest(nodes, [&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; });
     travelled_ += last_reach_ - step_reach_;
     speed_ = fastest(nodes, [&](Index i) { return all.v[i]; });

@@ -113,15 +113,17 @@ class SurfaceMeeting {
   void remove(std::size_t part, const std::vector<bool>& alive, const ContactNodes& all) {
     std::vector<bool> changed;
     for (Surface& surface : surfaces_) changed.push_back(surface.remove(part, alive));
+    if (std::find(changed.begin(), changed.end(), true) == changed.end()) return;
+    std::vector<Target> targets;
+    for (const Surface& surface : surfaces_) targets.push_back(target_of(surface, all));
     for (std::size_t k = 0; k < ways_.size(); ++k) {
       auto& [numbers, fixed, from, target] = ways_[k];
       if (!changed[from] && !changed[target]) continue;
       if (!fixed) numbers = ascending(std::move(numbers), surface_nodes(surfaces_[from].faces()));
-      approaches_[k].change(to_local(numbers, all), target_of(surfaces_[target], all));
+      approaches_[k].change(to_local(numbers, all), targets[target]);
     }
     for (auto& edges : edges_)
-      if (changed[edged_[0]] || changed[edged_[1]])
-        edges.change(target_of(surfaces_[edged_[0]], all), target_of(surfaces_[edged_[1]], all));
+      if (changed[edged_[0]] || changed[edged_[1]]) edges.change(targets[edged_[0]], targets[edged_[1]]);
   }
 
   template <class Archive>
