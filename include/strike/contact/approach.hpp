@@ -66,7 +66,7 @@ class Approach {
   template <class Execution>
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, Rounding& rounding,
             const Execution& execution) {
-    near_.update(all, nodes_, faces_.target, depth_, faces_.size, step.dt);
+    near_.update(all, nodes_, faces_.target, depth_, faces_.size, step.dt, execution);
     choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
     found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
@@ -93,7 +93,8 @@ class Approach {
   /// `dt`, when positions have moved for a time `moved` at the present velocities.
   double closing_step(const ContactNodes& all, double moved, double dt) {
     double step = dt;
-    if (moved == 0) near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt);  // before the first step
+    if (moved == 0)
+      near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt, Serial{});  // before the first step
     if (!near_.may_close(dt, closing_share * faces_.size)) return step;
     for (const Index s : near_.awake()) {
       const Index i = nodes_[s];
@@ -171,8 +172,14 @@ class Approach {
     const std::size_t first = found.touches.size(), gone_past = found.gone_past.size();
     for (std::size_t k = chosen.first; k < chosen.last; ++k) follow(last_[k], first, all, dt, found);
     const bool comes_round = found.gone_past.size() > gone_past || rounding.has(nodes_[chosen.node]);
+    // Faces rest only as long as the touches stay on theirs.
+    bool look_at_all = comes_round || !std::equal(last_.begin() + chosen.first, last_.begin() + chosen.last,
+                                                  found.touches.begin() + first, found.touches.end(),
+                                                  [](const Touch& a, const Touch& b) { return a.face == b.face; });
+    if (!look_at_all && near_.rests(chosen.node)) return;
     while (found.touches.size() < first + most_touches &&
-           begins_touch(chosen.node, first, all, dt, comes_round, found)) {
+           begins_touch(chosen.node, first, all, dt, comes_round, look_at_all, found)) {
+      look_at_all = true;
     }
   }
   /// A touch of the last step goes on while the node is inside or will be at the end of the step; `first` is the
@@ -194,11 +201,12 @@ class Approach {
     found.touches.push_back(touch), found.pairs.push_back(pair);
   }
   /// Appends a further touch of a node if it meets a face that its touches from `first` on do not cover.
-  bool begins_touch(Index s, std::size_t first, const ContactNodes& all, double dt, bool comes_round, Found& found) {
+  bool begins_touch(Index s, std::size_t first, const ContactNodes& all, double dt, bool comes_round, bool looks_at_all,
+                    Found& found) {
     const Index i = nodes_[s];
     FirstTouch<self> met(i, faces_, all, dt, neighbourhood_, std::span(found.touches).subspan(first),
                          std::span(found.pairs).subspan(first), comes_round, near_.reach());
-    near_.each_awake(s, comes_round, [&](Index f) { return met.consider(f); });
+    near_.each_awake(s, looks_at_all, [&](Index f) { return met.consider(f); });
     const auto place = met.place();
     if (!place) return false;
     found.touches.push_back({.node = s, .face = place->face, .normal = touch_normal(*place, all)});

@@ -97,12 +97,13 @@ struct Quadrilateral {
       double c = tangents + r.dot(m3), det = a * b - c * c;
       if (!(det > 1e-3 * a * b)) c = tangents, det = a * b - c * c;
       if (!(det > 1e-14 * a * b)) break;
-      const double g = r.dot(along_s), h = r.dot(along_t);
-      const double ds = std::clamp((c * h - b * g) / det, -2.0, 2.0), dt = std::clamp((c * g - a * h) / det, -2.0, 2.0);
+      const double g = r.dot(along_s), h = r.dot(along_t), inverse = 1 / det;
+      const double ds = std::clamp((c * h - b * g) * inverse, -2.0, 2.0),
+                   dt = std::clamp((c * g - a * h) * inverse, -2.0, 2.0), step = std::abs(ds) + std::abs(dt);
       s = std::clamp(s + ds, -3.0, 3.0), t = std::clamp(t + dt, -3.0, 3.0);
       r = m0 + s * m1 + t * m2 + s * t * m3 - x;
-      found = std::abs(ds) + std::abs(dt) < 1e-7;  // Newton squares it
-      if (iteration == 0 && m3.squaredNorm() < 1e-20 * (a + b)) found = true;
+      // Newton squares it: what is left is about step^2 |m3| / |m1|.
+      found = step < 1e-7 || step * step * step * step * m3.squaredNorm() < 1e-26 * std::min(a, b);
     }
     return {s, t, r, found};
   }
@@ -141,7 +142,9 @@ struct Projection {
   unsigned edge = 0;  ///< that it is beyond most, from corner `edge` to the next
 };
 
-inline Projection project(const Corners& X, const Eigen::Vector3d& x, bool is_triangle) {
+/// `start` is near it, at (s, t) of a quadrilateral.
+inline Projection project(const Corners& X, const Eigen::Vector3d& x, bool is_triangle,
+                          const std::array<double, 2>& start = {0, 0}) {
   Projection foot;
   if (is_triangle) {
     const Eigen::Vector3d b = X[1] - X[0], c = X[2] - X[0], r = x - X[0], normal = cross<double>(b, c);
@@ -156,7 +159,7 @@ inline Projection project(const Corners& X, const Eigen::Vector3d& x, bool is_tr
     return foot;
   }
   const Quadrilateral face(X);
-  const auto at = face.descend(x, 0, 0);
+  const auto at = face.descend(x, start[0], start[1]);
   const double most = std::max(std::abs(at.s), std::abs(at.t));
   if (!at.found || !(most < 2)) return foot;  // where steps end
   const Eigen::Vector3d normal = cross<double>(face.m1 + at.t * face.m3, face.m2 + at.s * face.m3);

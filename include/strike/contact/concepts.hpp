@@ -34,6 +34,14 @@ struct Press {
   };
   template <class Model>
   using Member = decltype(&Model::press);
+  template <class Execution>
+  static double call(const auto& law, std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step,
+                     const Execution& execution) {
+    if constexpr (requires { law.press(pairs, nodes, step, execution); })
+      return law.press(pairs, nodes, step, execution);
+    else
+      return law.press(pairs, nodes, step);
+  }
 };
 struct Kappa {
   struct Decoy {
@@ -135,7 +143,8 @@ struct See {
 /// 1. It is copyable.
 /// 2. `press(pairs, nodes, step) const` gives each pair of the std::vector<ContactPair> its impulse J [force time] by
 ///    `pair.push(nodes, J)`, and returns the largest stiffness over mass that it has set on a node, kappa [1/time^2],
-///    from which the stable step follows; 0 if there is none.
+///    from which the stable step follows; 0 if there is none. Or `press(pairs, nodes, step, execution)`, which may use
+///    the Execution of the run.
 /// 3. `kappa(inverse_effective_mass) const`, optional: the kappa that the first touch of a pair with 1/m* may set,
 ///    where that can exceed what the step allows.
 ///

@@ -12,6 +12,7 @@
 #include <strike/ascending.hpp>
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/coupled_pairs.hpp>
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>
 #include <strike/contact/pairing.hpp>
@@ -66,12 +67,12 @@ class Contact {
     all_.find_held_directions(nodes);
     pairs_.clear();
     detail::Find::call(*meeting_, all_, step, pairs_, execution);
-    all_.gather_forces(nodes, pairs_, step.kick());
+    all_.gather_forces(nodes, pairs_, step.kick(), execution);
     all_.note(step);
-    kappa_ = law_.press(pairs_, all_, step);
+    kappa_ = detail::Press::call(law_, pairs_, all_, step, execution);
     step_ = step;
-    if constexpr (!std::is_same_v<F, Frictionless>) rub();
-    all_.scatter(nodes, ledger);
+    if constexpr (!std::is_same_v<F, Frictionless>) rub(execution);
+    all_.scatter(nodes, ledger, execution);
     using namespace detail;
     Eigen::Vector3d sum{0, 0, 0};
     for (const Index i : all_.touched())
@@ -139,58 +140,58 @@ class Contact {
   static constexpr bool closes =
       detail::answers<detail::ClosingStep, detail::MeetingOf<P>, const ContactNodes, double, double>;
 
-  /// Friction against the velocity along the surface that the normal impulses have left. Pairs share nodes, so that
-  /// they are corrected forward and backward in turn, each anew from what it has given, until no correction counts
-  /// (projected Gauss-Seidel). They begin with their friction in the last step, so that what sticks does not creep;
-  /// without it if that would add energy.
-  void rub() {
+  /// Friction against the velocity along the surface that the normal impulses have left. Pairs that share nodes are
+  /// corrected one after the other, forward and backward in turn, each anew from what it has given, until no correction
+  /// counts (projected Gauss-Seidel). They begin with their friction in the last step, so that what sticks does not
+  /// creep; without it if that would add energy.
+  template <class E>
+  void rub(const E& execution) {
     using namespace detail;
-    const std::size_t n = pairs_.size();
-    std::vector<Eigen::Vector3d> given(n, Eigen::Vector3d{0, 0, 0}), before(n);  // against the sliding [force time]
+    CoupledPairs coupled(pairs_, all_, execution);
+    struct Sliding {
+      Eigen::Vector3d given{0, 0, 0}, before;  // impulse against it [force time]; velocity without it
+    };
+    std::vector<Sliding> all(pairs_.size());
     const auto give = [&](std::size_t p, const Eigen::Vector3d& impulse) {
+      coupled.give(p, all[p].given - impulse), all[p].given = impulse;
+    };
+    const double fastest = coupled.sweep(execution, true, [&](std::size_t p) {
+      all[p].before = coupled.velocity(p);
+      return along(pairs_[p], all[p].before).norm();
+    });
+    const auto correct = [&](std::size_t p) {
+      if (!(pairs_[p].impulse > 0)) return 0.0;
+      const Eigen::Vector3d sliding = along(pairs_[p], coupled.velocity(p));
+      const double speed = sliding.norm();
+      if (!(speed > 0)) return 0.0;
+      const double inverse_effective_mass = pairs_[p].inverse_effective_mass_along(all_, (1 / speed) * sliding);
+      if (!(inverse_effective_mass > 0)) return 0.0;
+      const Eigen::Vector3d wanted = bounded(pairs_[p], all[p].given + (1 / inverse_effective_mass) * sliding);
+      const double change = (wanted - all[p].given).norm() * inverse_effective_mass;
+      give(p, wanted);
+      return change;
+    };
+    const auto settle = [&] {
+      for (Settling settling(fastest, 100); settling.goes_on();)
+        settling.note(coupled.sweep(execution, settling.is_forward(), correct));
+    };
+    coupled.each(execution, [&](std::size_t p) {
       const ContactPair& pair = pairs_[p];
-      const Eigen::Vector3d change = given[p] - impulse;
-      for (unsigned i = 0; i < pair.count; ++i) all_.nudge(pair.nodes[i], pair.weights[i] * change);
-      given[p] = impulse;
-    };
-    double fastest = 0;
-    for (std::size_t p = 0; p < n; ++p) {
-      before[p] = pairs_[p].velocity(all_);
-      fastest = std::max(fastest, along(pairs_[p], before[p]).norm());
-    }
-    const auto correct = [&] {
-      double change = std::numeric_limits<double>::infinity();
-      for (int sweep = 0; sweep < 100 && change > settled * fastest; ++sweep) {
-        change = 0;
-        for (std::size_t k = 0; k < n; ++k) {
-          const std::size_t p = sweep % 2 == 0 ? k : n - 1 - k;
-          if (!(pairs_[p].impulse > 0)) continue;
-          const Eigen::Vector3d sliding = along(pairs_[p], pairs_[p].velocity(all_));
-          const double speed = sliding.norm();
-          if (!(speed > 0)) continue;
-          const double inverse_effective_mass = pairs_[p].inverse_effective_mass_along(all_, (1 / speed) * sliding);
-          if (!(inverse_effective_mass > 0)) continue;
-          const Eigen::Vector3d wanted = bounded(pairs_[p], given[p] + (1 / inverse_effective_mass) * sliding);
-          change = std::max(change, (wanted - given[p]).norm() * inverse_effective_mass);
-          give(p, wanted);
-        }
-      }
-    };
-    for (std::size_t p = 0; p < n; ++p)
-      if (pairs_[p].friction && pairs_[p].impulse > 0)
-        give(p, bounded(pairs_[p], step_.kick() * along(pairs_[p], *pairs_[p].friction)));
-    correct();
+      if (pair.friction && pair.impulse > 0) give(p, bounded(pair, step_.kick() * along(pair, *pair.friction)));
+    });
+    settle();
     double work = 0;
-    for (std::size_t p = 0; p < n; ++p) work -= 0.5 * given[p].dot(before[p] + pairs_[p].velocity(all_));
+    for (std::size_t p = 0; p < all.size(); ++p) work -= 0.5 * all[p].given.dot(all[p].before + coupled.velocity(p));
     if (work > 0) {
-      for (std::size_t p = 0; p < n; ++p) give(p, Eigen::Vector3d{0, 0, 0});
-      correct();
+      coupled.each(execution, [&](std::size_t p) { give(p, Eigen::Vector3d{0, 0, 0}); });
+      settle();
     }
-    for (std::size_t p = 0; p < n; ++p) {
-      for (unsigned i = 0; i < pairs_[p].count; ++i)
-        all_.book_drag(pairs_[p].nodes[i], -pairs_[p].weights[i] * given[p]);
-      if (pairs_[p].friction) *pairs_[p].friction = (1 / step_.kick()) * given[p];
-    }
+    coupled.end(all_, execution);
+    coupled.each(execution, [&](std::size_t p) {
+      const ContactPair& pair = pairs_[p];
+      for (unsigned i = 0; i < pair.count; ++i) all_.book_drag(pair.nodes[i], -pair.weights[i] * all[p].given);
+      if (pair.friction) *pair.friction = (1 / step_.kick()) * all[p].given;
+    });
   }
   /// The part of a vector along the surface.
   static Eigen::Vector3d along(const ContactPair& pair, const Eigen::Vector3d& a) {

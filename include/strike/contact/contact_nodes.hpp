@@ -21,6 +21,8 @@
 
 namespace strike {
 
+struct ContactPair;
+
 /// Nodes of a contact and points of rigid surfaces, in a numbering of their own: nodes in the order of their numbers in
 /// the scene, so that no result depends on their order in memory. Positions x at the time n and velocities v after it,
 /// which impulses change along the directions that no condition holds.
@@ -76,18 +78,9 @@ class ContactNodes {
     std::erase_if(beside_, [&](const PlateBeside& plate) { return plate.part == part && !alive.at(plate.cell); });
   }
 
-  /// Computes `kicked` of the nodes in pairs, and 1/m* of the pairs.
-  template <class N, class Pairs>
-  void gather_forces(const N& nodes, Pairs& pairs, double kick) {
-    using namespace detail;
-    const auto gather_force = [&](Index i) {
-      if (i < number_.size()) kicked[i] = (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
-    };
-    for (auto& pair : pairs) {
-      for (unsigned k = 0; k < pair.count; ++k) gather_force(pair.nodes[k]);
-      pair.inverse_effective_mass = pair.inverse_effective_mass_along(*this, pair.normal);
-    }
-  }
+  /// Takes note of the nodes in pairs, computes their `kicked`, and 1/m* of the pairs.
+  template <class N, class E>
+  void gather_forces(const N& nodes, std::vector<ContactPair>& pairs, double kick, const E& execution);
 
   /// Finds the directions of the nodes that conditions hold, once: at the first step, when all items have begun.
   template <class N>
@@ -108,18 +101,29 @@ class ContactNodes {
   }
 
   /// Writes the velocities to the scene and books the work of the impulses.
-  template <class N, class Ledger>
-  void scatter(N& nodes, Ledger& ledger) const {
+  template <class N, class Ledger, class E>
+  void scatter(N& nodes, Ledger& ledger, const E& execution) const {
     using namespace detail;
-    double before[2] = {0, 0}, after[2] = {0, 0};
-    for (const Index i : touched_) {
-      nodes.set_velocity(number_[i], v[i]);
-      const Eigen::Vector3d v_before = v[i] - inverse_mass_[i] * (normal_impulse[i] + friction_impulse[i]) - kicked[i];
-      before[0] += normal_impulse[i].dot(v_before), after[0] += normal_impulse[i].dot(v[i]);
-      before[1] += friction_impulse[i].dot(v_before), after[1] += friction_impulse[i].dot(v[i]);
+    struct Sums {
+      double normal_before = 0, normal_after = 0, friction_before = 0, friction_after = 0;
+    };
+    std::vector<Sums> sums(chunks(touched_.size()));
+    for_each_chunk(execution, touched_.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+      Sums sum;
+      for (std::size_t k = first; k < last; ++k) {
+        const Index i = touched_[k];
+        nodes.set_velocity(number_[i], v[i]);
+        const Eigen::Vector3d v_before =
+            v[i] - inverse_mass_[i] * (normal_impulse[i] + friction_impulse[i]) - kicked[i];
+        sum.normal_before += normal_impulse[i].dot(v_before), sum.normal_after += normal_impulse[i].dot(v[i]);
+        sum.friction_before += friction_impulse[i].dot(v_before), sum.friction_after += friction_impulse[i].dot(v[i]);
+      }
+      sums[chunk] = sum;
+    });
+    for (const Sums& sum : sums) {
+      ledger.contact.book_impulse(-sum.normal_before, -sum.normal_after);
+      ledger.friction.book_impulse(-sum.friction_before, -sum.friction_after);
     }
-    ledger.contact.book_impulse(-before[0], -after[0]);
-    ledger.friction.book_impulse(-before[1], -after[1]);
   }
 
   /// The part of a vector along which node i may move.
@@ -131,6 +135,8 @@ class ContactNodes {
     return held_[i] < 0 ? inverse_mass_[i] : inverse_mass_[i] * free(i, a).dot(a);
   }
   double inverse_mass(Index i) const { return inverse_mass_[i]; }
+  /// True if conditions hold it in a direction.
+  bool is_held(Index i) const { return held_[i] >= 0; }
   /// Stiffness of the cells of a node, by which they swing with it at about their stable step; 0 if it is not known
   /// [force/length].
   double spring(Index i) const { return spring_[i]; }
@@ -148,9 +154,8 @@ class ContactNodes {
     shortened_ = std::min(1.0, squared_stable_step_ / squared_first_step_);
   }
 
-  /// Gives node i an impulse along a normal, or of friction [force time].
-  void push(Index i, const Eigen::Vector3d& impulse) { add(i, impulse, normal_impulse); }
-  void drag(Index i, const Eigen::Vector3d& impulse) { add(i, impulse, friction_impulse); }
+  /// Gives node i an impulse along a normal [force time].
+  void push(Index i, const Eigen::Vector3d& impulse) { book_push(i, impulse), nudge(i, impulse); }
   /// Changes its velocity alone, for laws that try impulses and book the last ones.
   void nudge(Index i, const Eigen::Vector3d& impulse) {
     using namespace detail;
@@ -159,7 +164,7 @@ class ContactNodes {
   void book_push(Index i, const Eigen::Vector3d& impulse) { book(i, impulse, normal_impulse); }
   void book_drag(Index i, const Eigen::Vector3d& impulse) { book(i, impulse, friction_impulse); }
 
-  /// Nodes that have got an impulse in this step.
+  /// Nodes that may have got an impulse in this step, those of pairs.
   const std::vector<Index>& touched() const { return touched_; }
   std::size_t size() const { return x.size(); }
   /// Number of node i in the scene.
@@ -248,14 +253,13 @@ class ContactNodes {
       if (plates[i] > 0) x[i] += (1.0 / plates[i]) * sum[i];
   }
 
-  void add(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
-    book(i, impulse, to);
-    nudge(i, impulse);
+  void note_touched(Index i) {
+    if (inverse_mass_[i] > 0 && !is_touched_[i]) is_touched_[i] = 1, touched_.push_back(i);
   }
   void book(Index i, const Eigen::Vector3d& impulse, std::vector<Eigen::Vector3d>& to) {
     using namespace detail;
     if (!(inverse_mass_[i] > 0)) return;
-    if (!is_touched_[i]) is_touched_[i] = 1, touched_.push_back(i);
+    note_touched(i);
     to[i] += free(i, impulse);
   }
 
@@ -337,21 +341,11 @@ struct ContactPair {
     impulse += J;
     for (unsigned i = 0; i < count; ++i) all.push(nodes[i], (weights[i] * J) * normal);
   }
-  /// Gives it to the velocities alone; `book` books the sum of these.
-  void nudge(ContactNodes& all, double J) {
-    using namespace detail;
-    impulse += J;
-    for (unsigned i = 0; i < count; ++i) all.nudge(nodes[i], (weights[i] * J) * normal);
-  }
+  /// Books its impulse, which the velocities have got already.
   void book(ContactNodes& all) const {
     using namespace detail;
     if (impulse != 0)
       for (unsigned i = 0; i < count; ++i) all.book_push(nodes[i], (weights[i] * impulse) * normal);
-  }
-  /// Gives the pair an impulse of friction.
-  void drag(ContactNodes& all, const Eigen::Vector3d& J) const {
-    using namespace detail;
-    for (unsigned i = 0; i < count; ++i) all.drag(nodes[i], weights[i] * J);
   }
 
  private:
@@ -362,5 +356,22 @@ struct ContactPair {
     return total;
   }
 };
+
+template <class N, class E>
+void ContactNodes::gather_forces(const N& nodes, std::vector<ContactPair>& pairs, double kick, const E& execution) {
+  using namespace detail;
+  for (const ContactPair& pair : pairs)
+    for (unsigned k = 0; k < pair.count; ++k) note_touched(pair.nodes[k]);
+  for_each_chunk(execution, touched_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Index i = touched_[k];
+      kicked[i] = (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
+    }
+  });
+  for_each_chunk(execution, pairs.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p)
+      pairs[p].inverse_effective_mass = pairs[p].inverse_effective_mass_along(*this, pairs[p].normal);
+  });
+}
 
 }  // namespace strike

@@ -44,8 +44,8 @@ class FirstTouch {
       way_ += std::max(0.0, -std::max(0.0, pair.gap) - dt * pair.normal.dot(pair.velocity(all))) * pair.normal;
   }
 
-  /// Looks whether the node meets face f. Returns by how much both may move relative to each other before they can
-  /// [length].
+  /// Looks whether the node meets face f. Returns by how much both may move relative to each other before they can, as
+  /// long as the node's touches stay on their faces [length].
   double consider(Index f) {
     if (self && faces_.target.has(f, i_)) return never;
     const Corners X = faces_.target.corners(f, all_.x);
@@ -54,13 +54,17 @@ class FirstTouch {
                           from = all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3]);
     const double area2 = area.squaredNorm(), warp2 = 0.0625 * (X[0] - X[1] + X[2] - X[3]).squaredNorm(),
                  height = from.dot(area), deep = reach.largest_depth() + reach.slack;
+    const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm());
     for (const Touch& touch : touches_) {  // a face that goes on from one that the node touches
-      const double cosine = touch.normal.dot(area);
-      if (touch.face == f || (cosine * cosine > 0.81 * area2 && faces_.go_together(f, touch.face))) return 0;
+      if (touch.face == f) return never;
+      const double cosine = std::abs(touch.normal.dot(area)) / std::sqrt(area2);
+      if (cosine > in_line && faces_.go_together(f, touch.face)) {
+        const double turns = sine(in_line) - sine(cosine);  // a bound from below of the angle by which they may turn
+        return turns * std::sqrt(area2 / half2) / 32;  // 8 ways of its corners turn a square by 1, and both may turn
+      }
     }
     // From a sphere around the face, and from a layer along it.
-    const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm()),
-                 warp = std::sqrt(warp2);
+    const double warp = std::sqrt(warp2);
     const double above = std::abs(height) / std::sqrt(area2) - (faces_.target.count(f) == 3 ? 0 : warp) - deep;
     const double clearance = std::max(from.norm() - std::sqrt(half2) - warp - deep, above);
     if (clearance > farthest_) return clearance;
@@ -82,6 +86,9 @@ class FirstTouch {
 
  private:
   static constexpr double never = std::numeric_limits<double>::infinity();
+  static constexpr double in_line = 0.9;  // cosine of normals, from which on a face goes on from another
+
+  static double sine(double cosine) { return std::sqrt(std::max(0.0, 1 - cosine * cosine)); }
 
   struct Met {
     Index face = Target::none;

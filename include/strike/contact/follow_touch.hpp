@@ -66,7 +66,7 @@ class FollowedTouch {
 
   /// Of a solid: the foot of the perpendicular on its face, or on one that goes on there; else on the edge of a dent.
   std::optional<Place> on_solid() const {
-    const Projection own = faces_.projection(touch_.face, all_, i_);
+    const Projection own = faces_.projection(touch_.face, all_, i_, touch_.place);
     if (own.beyond <= closed) return at(touch_.face, own);
 
     Index least = touch_.face;

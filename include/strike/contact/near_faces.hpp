@@ -11,6 +11,7 @@
 #include <strike/contact/search.hpp>
 #include <strike/contact/target.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/motion/execution.hpp>
 
 namespace strike::detail {
 
@@ -34,16 +35,17 @@ class NearFaces {
     }
   }
   /// Searches again if nodes and faces may have moved by the margin at the end of a step; `size` is that of the faces.
+  template <class Execution>
   void update(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target, double reach, double size,
-              double dt) {
+              double dt, const Execution& execution) {
     if (corners_.empty()) {
       for (const auto& face : target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
       corners_ = ascending(std::move(corners_));
     }
     // The way of the last step, with all impulses, takes the place of the one that was expected.
-    last_reach_ = fastest(nodes, [&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; });
+    last_reach_ = fastest(nodes, execution, [&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; });
     travelled_ += last_reach_ - step_reach_;
-    speed_ = fastest(nodes, [&](Index i) { return all.v[i]; });
+    speed_ = fastest(nodes, execution, [&](Index i) { return all.v[i]; });
     step_reach_ = dt * speed_;
     // Twice the way, so that the step after this one is seen too.
     if (!(travelled_ + 2 * step_reach_ <= margin_))
@@ -92,15 +94,23 @@ class NearFaces {
 
   /// Bound of a vector, such as the velocity, of a node relative to a face: the sum of the largest of both relative to
   /// the mean of the faces.
-  template <class Of>
-  double fastest(const std::vector<Index>& nodes, const Of& of) const {
+  template <class Execution, class Of>
+  double fastest(const std::vector<Index>& nodes, const Execution& execution, const Of& of) const {
+    std::vector<Eigen::Vector3d> sums(chunks(corners_.size()));
+    for_each_chunk(execution, corners_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
+      sums[c].setZero();
+      for (std::size_t k = first; k < last; ++k) sums[c] += of(corners_[k]);
+    });
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Index i : corners_) mean += of(i);
-    mean /= static_cast<double>(corners_.size());
+    for (const Eigen::Vector3d& sum : sums) mean += sum / static_cast<double>(corners_.size());
     const auto most = [&](const std::vector<Index>& some) {
-      double most2 = 0;
-      for (const Index i : some) most2 = std::max(most2, (of(i) - mean).squaredNorm());
-      return std::sqrt(most2);
+      std::vector<double> most2(chunks(some.size()));
+      for_each_chunk(execution, some.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
+        double of_chunk = 0;
+        for (std::size_t k = first; k < last; ++k) of_chunk = std::max(of_chunk, (of(some[k]) - mean).squaredNorm());
+        most2[c] = of_chunk;
+      });
+      return std::sqrt(most2.empty() ? 0.0 : *std::max_element(most2.begin(), most2.end()));
     };
     const double of_faces = most(corners_);
     return of_faces + (self ? of_faces : most(nodes));

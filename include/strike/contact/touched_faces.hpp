@@ -54,8 +54,8 @@ struct TouchedFaces {
     const Corners X = target.corners(f, all.x);
     return target.foot(f, X, target.closest(f, X, all.x[i], start), all.x);
   }
-  Projection projection(Index f, const ContactNodes& all, Index i) const {
-    return project(target.corners(f, all.x), all.x[i], target.count(f) == 3);
+  Projection projection(Index f, const ContactNodes& all, Index i, const std::array<double, 2>& start = {0, 0}) const {
+    return project(target.corners(f, all.x), all.x[i], target.count(f) == 3, start);
   }
   /// The normal of face f at shape functions N, from the side to which its corners turn counter-clockwise.
   Eigen::Vector3d normal(Index f, const std::array<double, 4>& N, const ContactNodes& all) const {
