@@ -21,9 +21,11 @@ template <bool self>
 class NearFaces {
  public:
   /// Searches faces within `reach` of the nodes, and a `margin` more [length].
-  void sort(const ContactNodes& all, std::span<const Index> nodes, const Target& target, double reach, double margin) {
+  template <Execution E = Serial>
+  void sort(const ContactNodes& all, std::span<const Index> nodes, const Target& target, double reach, double margin,
+            const E& execution = {}) {
     ++sorts_;
-    const double apart = search_.sort(nodes, target.faces(), all.x, reach + margin);
+    const double apart = search_.sort(nodes, target.faces(), all.x, reach + margin, execution);
     margin_ = margin + apart, travelled_ = 0;
     wake_all();
     largest_inverse_mass_ = 0;
@@ -49,7 +51,7 @@ class NearFaces {
     step_reach_ = dt * speed_;
     // Twice the way, so that the step after this one is seen too.
     if (!(travelled_ + 2 * step_reach_ <= margin_))
-      sort(all, nodes, target, reach, std::max(8 * step_reach_, 0.5 * size));
+      sort(all, nodes, target, reach, std::max(8 * step_reach_, 0.5 * size), execution);
     travelled_ += step_reach_;
   }
   /// Bound of the way of a node relative to a face in this step, or in the last one [length].

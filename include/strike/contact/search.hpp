@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <strike/mesh/mesh.hpp>
+#include <strike/motion/execution.hpp>
 
 namespace strike::detail {
 
@@ -21,8 +22,9 @@ class BucketSearch {
 
   /// Finds, for `near(s)`, the faces whose box, enlarged by `reach` [length], holds x[nodes[s]]. Returns by how much
   /// the boxes around all nodes and all faces are farther apart than the reach; 0 if they are not.
+  template <Execution E = Serial>
   double sort(std::span<const Index> nodes, std::span<const Corners> faces, std::span<const Eigen::Vector3d> x,
-              double reach) {
+              double reach, const E& execution = {}) {
     begin_.assign(nodes.size() + 1, 0);
     near_.clear(), awake_.clear();
     Box all_nodes, all_faces;
@@ -43,17 +45,24 @@ class BucketSearch {
     all_faces.grow(reach), all_nodes.grow(reach);
     edge_ = std::max(size / static_cast<double>(faces.size()) + 2 * reach, std::numeric_limits<double>::min());
     fill_buckets(nodes, x, all_faces);
-    found_.clear();
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if (all_nodes.overlaps(boxes_[f])) look(static_cast<Index>(f), nodes, x);
-    for (const auto& [s, f] : found_) ++begin_[s + 1];
+    found_.resize(chunks(faces.size()));
+    for_each_chunk(execution, faces.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
+      found_[c].clear();
+      for (std::size_t f = first; f < last; ++f)
+        if (all_nodes.overlaps(boxes_[f])) look(static_cast<Index>(f), nodes, x, found_[c]);
+    });
+    const auto each_found = [&](const auto& g) {
+      for (const auto& some : found_)
+        for (const Found& found : some) g(found);
+    };
+    each_found([&](const Found& found) { ++begin_[found.node + 1]; });
     for (std::size_t s = 0; s < nodes.size(); ++s) {
       if (begin_[s + 1] > 0) awake_.push_back(static_cast<Index>(s));
       begin_[s + 1] += begin_[s];
     }
-    near_.resize(found_.size());
+    near_.resize(begin_.back());
     std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
-    for (const auto& [s, f] : found_) near_[end[s]++] = f;
+    each_found([&](const Found& found) { near_[end[found.node]++] = found.face; });
     return 0;
   }
 
@@ -131,14 +140,15 @@ class BucketSearch {
     for (const Filed& filed : filed_) sorted_[slot_end_[slot(filed.bucket)]++] = filed;
   }
 
-  void look(Index f, std::span<const Index> nodes, std::span<const Eigen::Vector3d> x) {
+  void look(Index f, std::span<const Index> nodes, std::span<const Eigen::Vector3d> x,
+            std::vector<Found>& found) const {
     const Box& box = boxes_[f];
     const Bucket first = bucket_of(box.lower), last = bucket_of(box.upper);
     const double buckets = static_cast<double>(last[0] - first[0] + 1) * static_cast<double>(last[1] - first[1] + 1) *
                            static_cast<double>(last[2] - first[2] + 1);
     if (buckets > static_cast<double>(sorted_.size())) {  // a face much larger than others
       for (const Filed& filed : sorted_)
-        if (box.holds(x[nodes[filed.node]])) found_.push_back({filed.node, f});
+        if (box.holds(x[nodes[filed.node]])) found.push_back({filed.node, f});
       return;
     }
     for (auto k = first[2]; k <= last[2]; ++k)
@@ -148,7 +158,7 @@ class BucketSearch {
           const std::size_t at = slot(bucket);
           for (std::size_t n = slot_begin_[at]; n < slot_begin_[at + 1]; ++n)
             if (sorted_[n].bucket == bucket && box.holds(x[nodes[sorted_[n].node]]))
-              found_.push_back({sorted_[n].node, f});
+              found.push_back({sorted_[n].node, f});
         }
   }
 
@@ -156,7 +166,7 @@ class BucketSearch {
   std::size_t slots_ = 1;
   std::vector<Box> boxes_;
   std::vector<Filed> filed_, sorted_;
-  std::vector<Found> found_;
+  std::vector<std::vector<Found>> found_;  // by chunks of faces
   std::vector<std::size_t> slot_begin_, slot_end_, begin_;
   std::vector<Index> near_, awake_;
 };
