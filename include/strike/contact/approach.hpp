@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -212,7 +213,8 @@ class Approach {
     if (target.faces().empty()) return;
     std::vector<Index> face(nodes_.size(), Target::none);
     const Interior interior(target, all.x);
-    for (std::size_t s = 0; s < nodes_.size(); ++s) face[s] = interior.nearest_face(nodes_[s]);
+    for (std::size_t s = 0; s < nodes_.size(); ++s)
+      face[s] = interior.nearest_face(nodes_[s], inside.outward[nodes_[s]], faces_.tolerance());
     for (const Index s : near_.awake())
       if (face[s] == Target::none) face[s] = nearest_face(s, all);
     for (Index s = 0; s < nodes_.size(); ++s) {
@@ -220,13 +222,20 @@ class Approach {
       const Index i = nodes_[s];
       const Foot foot = faces_.foot(face[s], all, i);
       const bool is_plate = target.is_plate(foot.face);
-      const double side = is_plate && foot.height < 0 ? -1 : 1,
-                   depth = faces_.depth(i, foot.face, foot.point.N) - side * foot.height;
-      if (!(depth > faces_.tolerance()) || (foot.on_border && !is_plate)) continue;
+      const double out = foot.normal.dot(inside.outward[i]);  // a solid is on the side from which it looks at a plate
+      const double side = is_plate && (std::abs(out) > 0.5 ? out > 0 : foot.height < 0) ? -1 : 1;
       const Place place{foot.face, foot.point.N, side * foot.normal, side * foot.height};
+      const double depth = faces_.depth(i, foot.face, foot.point.N) - place.height;
+      if (!(depth > depth_of_rounding(all.x[i], faces_.size)) || (!is_plate && is_beside(foot, all))) continue;
+      inside.add(all, faces_.pair(i, place, -depth), faces_.tolerance());
+      if (!(depth > faces_.tolerance())) continue;
       touches_.push_back({.node = s, .face = foot.face, .normal = touch_normal(place, all), .initial_depth = depth});
-      inside.add(all.number(i), all.x[i], depth);
     }
+  }
+  /// True beyond the border of an open surface.
+  bool is_beside(const Foot& foot, const ContactNodes& all) const {
+    const Eigen::Vector3d normal = faces_.normal(foot.face, foot.point.N, all);
+    return foot.on_border && (foot.point.away - normal.dot(foot.point.away) * normal).norm() > faces_.tolerance();
   }
   Index nearest_face(Index s, const ContactNodes& all) const {
     const Index i = nodes_[s];

@@ -54,7 +54,9 @@ class Contact {
       is_first_.assign(all_.size(), 0);
       for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
       meeting_.emplace(pairing_.start(all_));
+      inside_.outward = detail::outward_normals(all_, nodes, parts);
       meeting_->begin(all_, inside_);
+      inside_.outward.clear();
     }
   }
 
@@ -103,6 +105,8 @@ class Contact {
 
   /// One sentence on nodes that start inside; empty if there are none.
   std::string warning() const { return inside_.warning(); }
+  /// Points that started inside each other.
+  const std::vector<Overlap>& overlaps() const { return inside_.overlaps; }
 
   /// The force on the nodes of the first surface in the last step.
   Eigen::Vector3d force() const {

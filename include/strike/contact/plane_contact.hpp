@@ -48,7 +48,9 @@ class PlaneContact {
       if (!(depth > 0)) continue;
       inside_.push_back({k, depth});
       const Index i = nodes.number(places_[k]);
+      if (!(depth > std::max(depth_of_rounding(x, 0), rounding(nodes, i)))) continue;
       if (depth > std::max(1e-9 * x.norm(), rounding(nodes, i))) initial_.add(i, x, depth);
+      initial_.overlaps.push_back({.nodes = {i}, .weights = {1}, .count = 1, .normal = normal_, .depth = depth});
     }
   }
 
@@ -110,6 +112,8 @@ class PlaneContact {
 
   /// One sentence on nodes that start inside; empty if there are none.
   std::string warning() const { return initial_.warning(); }
+  /// Nodes that started inside.
+  const std::vector<Overlap>& overlaps() const { return initial_.overlaps; }
 
   /// The force on the nodes in the last step.
   const Eigen::Vector3d& force() const { return force_; }

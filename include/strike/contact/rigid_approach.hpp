@@ -28,10 +28,14 @@ class RigidApproach {
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       const Index i = nodes_[s];
       largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(i));
-      const double gap = body_.clearance(all.x[i]).gap - depth_;
+      const auto [distance, normal] = body_.clearance(all.x[i]);
+      const double gap = distance - depth_;
       if (!(gap < 0)) continue;
       touches_[s].initial_depth = -gap;
-      if (-gap > 1e-9 * all.x[i].norm()) inside.add(all.number(i), all.x[i], -gap);
+      if (!(-gap > depth_of_rounding(all.x[i], 0))) continue;
+      ContactPair pair(normal, gap);
+      pair.add(i, 1);
+      inside.add(all, pair, 1e-9 * all.x[i].norm());
     }
   }
 

@@ -1,14 +1,21 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/overlap.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/part_faces.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {
@@ -41,8 +48,36 @@ inline void check_depth(Index number, const Eigen::Vector3d& x, double depth, do
   throw Error(joined({"strike: node ", std::to_string(number), " at ", text(x), " has come ", text(depth), advice}));
 }
 
-/// Count of the nodes that start inside, and the deepest of them.
+/// Unit vectors out of the solids at the nodes of a contact; zero of nodes of plates alone, or if no part is known.
+template <class N>
+std::vector<Eigen::Vector3d> outward_normals(const ContactNodes& all, const N& nodes,
+                                             std::span<const PartFaces> parts) {
+  std::vector<Eigen::Vector3d> outward(all.size(), Eigen::Vector3d{0, 0, 0});
+  for (const PartFaces& part : parts) {
+    if (part.thickness > 0) continue;
+    for (const Face& face : part.faces) {  // those inside cancel
+      std::array<Eigen::Vector3d, 4> X;
+      for (std::size_t k = 0; k < 4; ++k) X[k] = nodes.x(face.nodes[k]).template cast<double>();
+      const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
+      for (std::size_t k = 0; k < (face.is_triangle() ? 3 : 4); ++k)
+        if (const Index i = all.local(face.nodes[k]); i < all.first_point() && all.number(i) == face.nodes[k])
+          outward[i] += area;
+    }
+  }
+  for (Eigen::Vector3d& n : outward)
+    if (n.norm() > 0) n = direction(n);
+  return outward;
+}
+
+/// Depths below which nothing is inside: what the spacing of the coordinates makes, or a share of the size of a cell.
+inline double depth_of_rounding(const Eigen::Vector3d& x, double size) {
+  return std::max(8 * std::numeric_limits<double>::epsilon() * x.norm(), 1e-10 * size);
+}
+
+/// The nodes that start inside: their number, the deepest of them, and how they overlap.
 struct InitialPenetration {
+  std::vector<Overlap> overlaps{};
+  std::vector<Eigen::Vector3d> outward{};  ///< of the ContactNodes, known while a contact begins
   std::size_t count = 0;
   Index deepest = 0;  ///< number of the deepest node in the scene
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -52,13 +87,25 @@ struct InitialPenetration {
     ++count;
     if (d > depth) depth = d, deepest = number, place = x;
   }
+  /// The same for the first node of a pair, whose gap is negative; below `tolerance` it overlaps, but is not counted.
+  void add(const ContactNodes& all, const ContactPair& pair, double tolerance = 0) {
+    const Index i = pair.nodes[0];
+    if (-pair.gap > tolerance) add(all.number(i), all.x[i], -pair.gap);
+    Overlap overlap{.normal = pair.normal, .depth = -pair.gap};
+    for (unsigned k = 0; k < pair.count; ++k)
+      if (pair.nodes[k] < all.first_point())
+        overlap.nodes[overlap.count] = all.number(pair.nodes[k]), overlap.weights[overlap.count++] = pair.weights[k];
+    overlaps.push_back(overlap);
+  }
   /// One sentence for the user; empty if no node starts inside.
   std::string warning() const {
     if (count == 0) return {};
-    return joined({std::to_string(count), count == 1 ? " node begins" : " nodes begin",
-                   " inside what they may touch, the deepest, node ", std::to_string(deepest), " at ", text(place),
-                   ", by ", text(depth),
-                   "; they stay so deep without force until they leave: move the meshes apart if that is not meant."});
+    return joined(
+        {std::to_string(count), count == 1 ? " node begins" : " nodes begin",
+         " inside what they may touch, the deepest, node ", std::to_string(deepest), " at ", text(place), ", by ",
+         text(depth),
+         "; they stay so deep without force until they leave: if that is not meant, take pushed_apart(scene), or "
+         "move the meshes."});
   }
 };
 
