@@ -251,24 +251,25 @@ TEST_CASE("a block deeper in a plate than its middle") {
 }
 
 TEST_CASE("bars that overlapped push each other at once, as those that begin in touch") {
-  const auto momentum = [](double overlap, double time, const auto& law) {
-    const Two bars(box({.size = {1, 1, 5}, .cells = {2, 2, 20}}),
-                   box({.lower = {0, 0, 5 - overlap}, .size = {1, 1, 5}, .cells = {2, 2, 20}}));
-    Explicit run{
-        pushed_apart(scene_of(bars, InitialVelocity{{0, 0, -0.1}, bars.nodes(true)}, Contact{Everything{}, law})),
-        ExplicitOptions{.print_warnings = false}};
-    run.until(time);
+  const auto momentum = [](double overlap, Index cells, const auto& law) {
+    const Two bars(box({.size = {1, 1, 5}, .cells = {2, 2, cells}}),
+                   box({.lower = {0, 0, 5 - overlap}, .size = {1, 1, 5}, .cells = {2, 2, cells}}));
+    const auto scene =
+        pushed_apart(scene_of(bars, InitialVelocity{{0, 0, -0.1}, bars.nodes(true)}, Contact{Everything{}, law}));
+    CHECK(report(scene).moved == (overlap > 0 ? 18 : 0));
+    Explicit run{scene, ExplicitOptions{.print_warnings = false}};
+    run.until(0.5);
     double sum = 0;
     for (const Index i : bars.nodes(false)) sum += run.nodes().mass(i) * run.nodes().v(i).z();
     return sum;
   };
-  // The mass that the moving takes from the first cells, 0.05 of one of 40, and the time of a wave through it.
-  const auto check = [&](const auto& law) {
-    CHECK(momentum(0.025, 0.03, law) == Approx(momentum(0, 0.03, law)).epsilon(0.02));
-    CHECK(momentum(0.025, 1.5, law) == Approx(momentum(0, 1.5, law)).epsilon(0.005));
-  };
-  check(Kinematic{});
-  check(Penalty{});
+  for (const Index cells :
+       {20u, 40u}) {  // the bars are half a per cent shorter, their first masses 5 or 10 per cent less
+    CAPTURE(cells);
+    const double at_once = momentum(0, cells, Kinematic{}), soft = momentum(0, cells, Penalty{});
+    CHECK(momentum(0.025, cells, Kinematic{}) == Approx(at_once).epsilon(0.01));
+    CHECK(momentum(0.025, cells, Penalty{}) == Approx(soft).epsilon(0.01));
+  }
 }
 
 TEST_CASE("cells that the moving would turn inside out are named") {

@@ -222,10 +222,12 @@ class Approach {
       const Index i = nodes_[s];
       const Foot foot = faces_.foot(face[s], all, i);
       const bool is_plate = target.is_plate(foot.face);
-      const double out = foot.normal.dot(inside.outward[i]);  // a solid is on the side from which it looks at a plate
-      const double side = is_plate && (std::abs(out) > 0.5 ? out > 0 : foot.height < 0) ? -1 : 1;
+      const double within = faces_.depth(i, foot.face, foot.point.N), out = foot.normal.dot(inside.outward[i]);
+      // A solid in a plate has come from the side that it does not look to, even if it is past the middle.
+      const bool looks = std::abs(foot.height) < within && std::abs(out) > 0.5;
+      const double side = is_plate && (looks ? out > 0 : foot.height < 0) ? -1 : 1;
       const Place place{foot.face, foot.point.N, side * foot.normal, side * foot.height};
-      const double depth = faces_.depth(i, foot.face, foot.point.N) - place.height;
+      const double depth = within - place.height;
       if (!(depth > depth_of_rounding(all.x[i], faces_.size)) || (!is_plate && is_beside(foot, all))) continue;
       inside.add(all, faces_.pair(i, place, -depth), faces_.tolerance());
       if (!(depth > faces_.tolerance())) continue;

@@ -239,17 +239,9 @@ class Contact<NodeToRigid<RigidPlane>, Kinematic, F> : public detail::PlaneConta
  public:
   template <class... Policies>
   explicit Contact(const NodeToRigid<RigidPlane>& pairing, const Policies&... policies)
-      : detail::PlaneContact<F>(surface_of(pairing), detail::ascending(pairing.nodes),
-                                detail::pick<detail::IsFriction>(policies..., Frictionless{})) {
+      : detail::PlaneContact<F>(pairing.body, detail::ascending(pairing.nodes),
+                                detail::pick<detail::IsFriction>(policies..., Frictionless{}), pairing.thickness) {
     detail::check_law(detail::pick<detail::IsContactLaw>(policies..., Kinematic{}));
-  }
-
- private:
-  /// The plane of the nodes' plates that touch with their surfaces.
-  static RigidPlane surface_of(const NodeToRigid<RigidPlane>& pairing) {
-    using namespace detail;
-    const auto& [point, normal] = pairing.body;
-    return {point + (0.5 * pairing.thickness) * direction(normal), normal};
   }
 };
 

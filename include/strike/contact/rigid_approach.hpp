@@ -63,7 +63,7 @@ class RigidApproach {
       if (!(dt * v.norm() > closing_share * cells_[s])) continue;
       const auto [distance, normal] = body_.clearance(x);
       const double gap = distance - depth_, closing = -normal.dot(v);
-      if (closing * dt > gap && gap >= 0 && meets(x, gap, dt * v))
+      if (closing > 0 && closing * dt > gap && (gap < 0 || meets(x, gap, dt * v)))  // inside, springs let it deeper
         step = std::min(step, detail::closing_step(gap, closing, cells_[s]));
     }
     return step;

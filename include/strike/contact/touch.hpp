@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -48,7 +49,8 @@ inline void check_depth(Index number, const Eigen::Vector3d& x, double depth, do
   throw Error(joined({"strike: node ", std::to_string(number), " at ", text(x), " has come ", text(depth), advice}));
 }
 
-/// Unit vectors out of the solids at the nodes of a contact; zero of nodes of plates alone, or if no part is known.
+/// Unit vectors out of the solids at the nodes of a contact, the mean of the normals of the faces around them, weighted
+/// by their angles; zero of nodes of plates alone, or if no part is known.
 template <class N>
 std::vector<Eigen::Vector3d> outward_normals(const ContactNodes& all, const N& nodes,
                                              std::span<const PartFaces> parts) {
@@ -56,16 +58,19 @@ std::vector<Eigen::Vector3d> outward_normals(const ContactNodes& all, const N& n
   for (const PartFaces& part : parts) {
     if (part.thickness > 0) continue;
     for (const Face& face : part.faces) {  // those inside cancel
-      std::array<Eigen::Vector3d, 4> X;
-      for (std::size_t k = 0; k < 4; ++k) X[k] = nodes.x(face.nodes[k]).template cast<double>();
-      const Eigen::Vector3d area = cross<double>(X[2] - X[0], X[3] - X[1]);
-      for (std::size_t k = 0; k < (face.is_triangle() ? 3 : 4); ++k)
-        if (const Index i = all.local(face.nodes[k]); i < all.first_point() && all.number(i) == face.nodes[k])
-          outward[i] += area;
+      const unsigned count = face.is_triangle() ? 3 : 4;
+      const auto x = [&](unsigned k) -> Eigen::Vector3d {
+        return nodes.x(face.nodes[k % count]).template cast<double>();
+      };
+      for (unsigned k = 0; k < count; ++k) {
+        const Index i = all.local(face.nodes[k]);
+        if (i == all.first_point() || all.number(i) != face.nodes[k]) continue;
+        const Eigen::Vector3d a = x(k + 1) - x(k), b = x(k + count - 1) - x(k), area = cross<double>(a, b);
+        if (area.norm() > 0) outward[i] += std::atan2(area.norm(), a.dot(b)) * direction(area);
+      }
     }
   }
-  for (Eigen::Vector3d& n : outward)
-    if (n.norm() > 0) n = direction(n);
+  for (Eigen::Vector3d& n : outward) n = n.norm() > 1e-6 ? direction(n) : Eigen::Vector3d{0, 0, 0};
   return outward;
 }
 
