@@ -54,9 +54,9 @@ class Contact {
       is_first_.assign(all_.size(), 0);
       for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
       meeting_.emplace(pairing_.start(all_));
-      inside_.outward = detail::outward_normals(all_, nodes, parts);
+      inside_.around = detail::CellsAround(all_, nodes, parts);
       meeting_->begin(all_, inside_);
-      inside_.outward.clear();
+      inside_.around = {};
     }
   }
 

@@ -133,8 +133,13 @@ struct Penalty {
       if (const double most_here = allowed[before.size()]; here > most_here) pair.stiffness *= most_here / here;
       before.push_back(pair.normal.dot(pair.velocity(nodes) - pair.kicked(nodes)));
     }
-    for (ContactPair& pair : pairs)
-      if (pair.gap < 0 && pair.inverse_effective_mass > 0) pair.push(nodes, pair.stiffness * -pair.gap * step.kick());
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      ContactPair& pair = pairs[p];
+      if (!(pair.gap < 0 && pair.inverse_effective_mass > 0)) continue;
+      const double held = std::sqrt(2 * std::max(0.0, *pair.stored) / pair.stiffness),
+                   depth = std::min(-pair.gap, held + std::max(0.0, -before[p]) * step.dt_before);
+      pair.push(nodes, pair.stiffness * depth * step.kick());
+    }
     limit_what_comes_back(pairs, before, nodes);
     // Constant from step to step, for a changing step would cost balance.
     return stiffness > 0 ? most : fraction / (step.stable_dt * step.stable_dt);

@@ -49,30 +49,36 @@ inline void check_depth(Index number, const Eigen::Vector3d& x, double depth, do
   throw Error(joined({"strike: node ", std::to_string(number), " at ", text(x), " has come ", text(depth), advice}));
 }
 
-/// Unit vectors out of the solids at the nodes of a contact, the mean of the normals of the faces around them, weighted
-/// by their angles; zero of nodes of plates alone, or if no part is known.
-template <class N>
-std::vector<Eigen::Vector3d> outward_normals(const ContactNodes& all, const N& nodes,
-                                             std::span<const PartFaces> parts) {
-  std::vector<Eigen::Vector3d> outward(all.size(), Eigen::Vector3d{0, 0, 0});
-  for (const PartFaces& part : parts) {
-    if (part.thickness > 0) continue;
-    for (const Face& face : part.faces) {  // those inside cancel
-      const unsigned count = face.is_triangle() ? 3 : 4;
-      const auto x = [&](unsigned k) -> Eigen::Vector3d {
-        return nodes.x(face.nodes[k % count]).template cast<double>();
-      };
-      for (unsigned k = 0; k < count; ++k) {
-        const Index i = all.local(face.nodes[k]);
-        if (i == all.first_point() || all.number(i) != face.nodes[k]) continue;
-        const Eigen::Vector3d a = x(k + 1) - x(k), b = x(k + count - 1) - x(k), area = cross<double>(a, b);
-        if (area.norm() > 0) outward[i] += std::atan2(area.norm(), a.dot(b)) * direction(area);
+/// The cells around the nodes of a contact at the start, as far as parts are known.
+struct CellsAround {
+  /// Unit vectors out of the solids, the mean of the normals of the faces around each node, weighted by their angles;
+  /// zero of nodes of plates alone.
+  std::vector<Eigen::Vector3d> outward{};
+  std::vector<double> edge{};  ///< the least of the cells of each node; infinite of others [length]
+
+  CellsAround() = default;
+  template <class N>
+  CellsAround(const ContactNodes& all, const N& nodes, std::span<const PartFaces> parts)
+      : outward(all.size(), Eigen::Vector3d{0, 0, 0}), edge(all.size(), std::numeric_limits<double>::infinity()) {
+    for (const PartFaces& part : parts)
+      for (const Face& face : part.faces) {
+        const unsigned count = face.is_triangle() ? 3 : 4;
+        const auto x = [&](unsigned k) -> Eigen::Vector3d {
+          return nodes.x(face.nodes[k % count]).template cast<double>();
+        };
+        for (unsigned k = 0; k < count; ++k) {
+          const Index i = all.local(face.nodes[k]);
+          if (i == all.first_point() || all.number(i) != face.nodes[k]) continue;
+          const Eigen::Vector3d a = x(k + 1) - x(k), b = x(k + count - 1) - x(k), area = cross<double>(a, b);
+          if (a.norm() > 0) edge[i] = std::min(edge[i], a.norm());
+          if (b.norm() > 0) edge[i] = std::min(edge[i], b.norm());
+          if (part.thickness > 0 || !(area.norm() > 0)) continue;
+          outward[i] += std::atan2(area.norm(), a.dot(b)) * direction(area);  // faces between two cells cancel
+        }
       }
-    }
+    for (Eigen::Vector3d& n : outward) n = n.norm() > 1e-6 ? direction(n) : Eigen::Vector3d{0, 0, 0};
   }
-  for (Eigen::Vector3d& n : outward) n = n.norm() > 1e-6 ? direction(n) : Eigen::Vector3d{0, 0, 0};
-  return outward;
-}
+};
 
 /// Depths below which nothing is inside: what the spacing of the coordinates makes, or a share of the size of a cell.
 inline double depth_of_rounding(const Eigen::Vector3d& x, double size) {
@@ -82,7 +88,7 @@ inline double depth_of_rounding(const Eigen::Vector3d& x, double size) {
 /// The nodes that start inside: their number, the deepest of them, and how they overlap.
 struct InitialPenetration {
   std::vector<Overlap> overlaps{};
-  std::vector<Eigen::Vector3d> outward{};  ///< of the ContactNodes, known while a contact begins
+  CellsAround around{};  ///< known while a contact begins
   std::size_t count = 0;
   Index deepest = 0;  ///< number of the deepest node in the scene
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
