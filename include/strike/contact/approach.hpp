@@ -62,7 +62,7 @@ class Approach {
     }
     nodes_ = std::move(nodes), faces_.target = std::move(target), touches_ = std::move(touches);
     if (!start_.empty()) neighbourhood_.find(faces_.target, start_);
-    near_.forget();
+    near_.forget(), has_changed_ = true;
   }
 
   /// Appends the pairs of the step, in the order of their nodes, each of which is decided alone. `rounding` are nodes
@@ -97,7 +97,8 @@ class Approach {
   /// `dt`, when positions have moved for a time `moved` at the present velocities.
   double closing_step(const ContactNodes& all, double moved, double dt) {
     double step = dt;
-    if (moved == 0) near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt);  // before the first step
+    if (moved == 0 || has_changed_)  // before the first step, or after a deletion
+      near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt), has_changed_ = false;
     if (!near_.may_close(dt, closing_share * least_edge_)) return step;
     for (const Touch& touch : touches_) {  // springs let nodes deeper
       const Index i = nodes_[touch.node];
@@ -285,6 +286,7 @@ class Approach {
   std::vector<Found> found_;           // by their chunks
   std::vector<double> edge_;           // the least of the cells of every ContactNode at the start [length]
   double least_edge_ = 0;              // of those and the size of the faces [length]
+  bool has_changed_ = false;           // cells have gone since the last search
   NearFaces<self> near_;
   double depth_ = 0;                    // the largest at which a node touches a face [length]
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
