@@ -20,6 +20,7 @@
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/patches.hpp>
+#include <strike/dynamics/pushed_apart.hpp>
 #include <strike/dynamics/removal.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/running_part.hpp>

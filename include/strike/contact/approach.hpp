@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,6 +38,8 @@ class Approach {
   /// Nodes that start inside keep their initial depth without force until they separate.
   void begin(const ContactNodes& all, InitialPenetration& inside) {
     faces_.size = faces_.target.mean_size(all.x);
+    edge_ = inside.around.edge, least_edge_ = faces_.size;
+    for (const Index i : nodes_) least_edge_ = std::min(least_edge_, edge_[i]);
     if constexpr (self) {
       if (faces_.target.largest_half() > 0) start_ = all.x, neighbourhood_.find(faces_.target, start_);
     }
@@ -58,7 +62,7 @@ class Approach {
     }
     nodes_ = std::move(nodes), faces_.target = std::move(target), touches_ = std::move(touches);
     if (!start_.empty()) neighbourhood_.find(faces_.target, start_);
-    near_.forget();
+    near_.forget(), has_changed_ = true;
   }
 
   /// Appends the pairs of the step, in the order of their nodes, each of which is decided alone. `rounding` are nodes
@@ -93,9 +97,16 @@ class Approach {
   /// `dt`, when positions have moved for a time `moved` at the present velocities.
   double closing_step(const ContactNodes& all, double moved, double dt) {
     double step = dt;
-    if (moved == 0)
-      near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt, Serial{});  // before the first step
-    if (!near_.may_close(dt, closing_share * faces_.size)) return step;
+    if (moved == 0 || has_changed_)  // before the first step, or after a deletion
+      near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt, Serial{}), has_changed_ = false;
+    if (!near_.may_close(dt, closing_share * least_edge_)) return step;
+    for (const Touch& touch : touches_) {  // springs let nodes deeper
+      const Index i = nodes_[touch.node];
+      const Place place{touch.face, faces_.projection(touch.face, all, i, touch.place).N, touch.normal, 0};
+      const double closing = -touch.normal.dot(faces_.pair(i, place, 0).velocity(all)),
+                   cell = cell_at(i, touch.face, all);
+      if (closing * dt > closing_share * cell) step = std::min(step, detail::closing_step(0, closing, cell));
+    }
     for (const Index s : near_.awake()) {
       const Index i = nodes_[s];
       for (const Index f : near_.of(s)) {
@@ -109,11 +120,7 @@ class Approach {
         }
         const Crossing meeting = crossing(motion, faces_.reach(i, f));
         if (!meeting.happens()) continue;
-        double cell = faces_.size;
-        for (unsigned k = 0; k < faces_.target.count(f); ++k)
-          cell = std::min(cell, (motion.X[(k + 1) % faces_.target.count(f)] - motion.X[k]).norm());
-        cell = std::max(cell, 0.1 * faces_.size);  // where an edge has collapsed
-        step = std::min(step, detail::closing_step(meeting.when * meeting.rate, meeting.rate / dt, cell));
+        step = std::min(step, detail::closing_step(meeting.when * meeting.rate, meeting.rate / dt, cell_at(i, f, all)));
       }
     }
     return step;
@@ -194,7 +201,8 @@ class Approach {
     const double depth = faces_.depth(i, place->face, place->N), height = place->height - depth;
     touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
     const ContactPair pair = faces_.pair(i, *place, height + touch.initial_depth);
-    check_depth(all.number(i), all.x[i], -pair.gap, std::max(faces_.size, depth));
+    check_depth(all.number(i), all.x[i], -pair.gap,
+                std::max(std::min(faces_.size, std::numbers::sqrt2 * edge_[i]), depth));
     if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
     touch.face = place->face, touch.place = place->on_face();
     touch.normal = touch_normal(*place, all);
@@ -214,13 +222,25 @@ class Approach {
     return true;
   }
 
+  /// The least edge of a face and of the cells of a node, but no less than a tenth of a mean diagonal of the faces or
+  /// of that edge, where one has collapsed [length].
+  double cell_at(Index i, Index f, const ContactNodes& all) const {
+    const Corners X = faces_.target.corners(f, all.x);
+    const unsigned count = faces_.target.count(f);
+    double cell = std::min(faces_.size, edge_[i]);
+    const double least = 0.1 * cell;
+    for (unsigned k = 0; k < count; ++k) cell = std::min(cell, (X[(k + 1) % count] - X[k]).norm());
+    return std::max(cell, least);
+  }
+
   /// Nodes within the depth of a plate or behind a near face of an open surface, and those inside a closed one.
   void find_initial_depths(const ContactNodes& all, InitialPenetration& inside) {
     const Target& target = faces_.target;
     if (target.faces().empty()) return;
     std::vector<Index> face(nodes_.size(), Target::none);
     const Interior interior(target, all.x);
-    for (std::size_t s = 0; s < nodes_.size(); ++s) face[s] = interior.nearest_face(nodes_[s]);
+    for (std::size_t s = 0; s < nodes_.size(); ++s)
+      face[s] = interior.nearest_face(nodes_[s], inside.around.outward[nodes_[s]], faces_.tolerance());
     for (const Index s : near_.awake())
       if (face[s] == Target::none) face[s] = nearest_face(s, all);
     for (Index s = 0; s < nodes_.size(); ++s) {
@@ -228,13 +248,22 @@ class Approach {
       const Index i = nodes_[s];
       const Foot foot = faces_.foot(face[s], all, i);
       const bool is_plate = target.is_plate(foot.face);
-      const double side = is_plate && foot.height < 0 ? -1 : 1,
-                   depth = faces_.depth(i, foot.face, foot.point.N) - side * foot.height;
-      if (!(depth > faces_.tolerance()) || (foot.on_border && !is_plate)) continue;
+      const double within = faces_.depth(i, foot.face, foot.point.N), out = foot.normal.dot(inside.around.outward[i]);
+      // A solid in a plate has come from the side that it does not look to, even if it is past the middle.
+      const bool looks = std::abs(foot.height) < within && std::abs(out) > 0.5;
+      const double side = is_plate && (looks ? out > 0 : foot.height < 0) ? -1 : 1;
       const Place place{foot.face, foot.point.N, side * foot.normal, side * foot.height};
+      const double depth = within - place.height;
+      if (!(depth > depth_of_rounding(all.x[i], faces_.size)) || (!is_plate && is_beside(foot, all))) continue;
+      inside.add(all, faces_.pair(i, place, -depth), faces_.tolerance());
+      if (!(depth > faces_.tolerance())) continue;
       touches_.push_back({.node = s, .face = foot.face, .normal = touch_normal(place, all), .initial_depth = depth});
-      inside.add(all.number(i), all.x[i], depth);
     }
+  }
+  /// True beyond the border of an open surface.
+  bool is_beside(const Foot& foot, const ContactNodes& all) const {
+    const Eigen::Vector3d normal = faces_.normal(foot.face, foot.point.N, all);
+    return foot.on_border && (foot.point.away - normal.dot(foot.point.away) * normal).norm() > faces_.tolerance();
   }
   Index nearest_face(Index s, const ContactNodes& all) const {
     const Index i = nodes_[s];
@@ -262,6 +291,9 @@ class Approach {
   std::vector<Touch> touches_, last_;  // of this step and of the last, in the order of their nodes
   std::vector<Chosen> chosen_;         // in this step
   std::vector<Found> found_;           // by their chunks
+  std::vector<double> edge_;           // the least of the cells of every ContactNode at the start [length]
+  double least_edge_ = 0;              // of those and the size of the faces [length]
+  bool has_changed_ = false;           // cells have gone since the last search
   NearFaces<self> near_;
   double depth_ = 0;                    // the largest at which a node touches a face [length]
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves

@@ -55,7 +55,9 @@ class Contact {
       is_first_.assign(all_.size(), 0);
       for (const Index i : pairing_.first()) is_first_[all_.local(i)] = 1;
       meeting_.emplace(pairing_.start(all_));
+      inside_.around = detail::CellsAround(all_, nodes, parts);
       meeting_->begin(all_, inside_);
+      inside_.around = {};
     }
   }
 
@@ -104,6 +106,8 @@ class Contact {
 
   /// One sentence on nodes that start inside; empty if there are none.
   std::string warning() const { return inside_.warning(); }
+  /// Points that started inside each other.
+  const std::vector<Overlap>& overlaps() const { return inside_.overlaps; }
 
   /// The force on the nodes of the first surface in the last step.
   Eigen::Vector3d force() const {
@@ -236,17 +240,9 @@ class Contact<NodeToRigid<RigidPlane>, Kinematic, F> : public detail::PlaneConta
  public:
   template <class... Policies>
   explicit Contact(const NodeToRigid<RigidPlane>& pairing, const Policies&... policies)
-      : detail::PlaneContact<F>(surface_of(pairing), detail::ascending(pairing.nodes),
-                                detail::pick<detail::IsFriction>(policies..., Frictionless{})) {
+      : detail::PlaneContact<F>(pairing.body, detail::ascending(pairing.nodes),
+                                detail::pick<detail::IsFriction>(policies..., Frictionless{}), pairing.thickness) {
     detail::check_law(detail::pick<detail::IsContactLaw>(policies..., Kinematic{}));
-  }
-
- private:
-  /// The plane of the nodes' plates that touch with their surfaces.
-  static RigidPlane surface_of(const NodeToRigid<RigidPlane>& pairing) {
-    using namespace detail;
-    const auto& [point, normal] = pairing.body;
-    return {point + (0.5 * pairing.thickness) * direction(normal), normal};
   }
 };
 

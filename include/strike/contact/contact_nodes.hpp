@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/contact/plates_beside.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/part_faces.hpp>
@@ -52,7 +53,10 @@ class ContactNodes {
     for (std::size_t i = 0; i < number_.size(); ++i) inverse_mass_[i] = 1 / nodes.mass(number_[i]);
     spring_.assign(x.size(), 0.0);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      if (parts[p].offset != 0) add_offset(nodes, p, parts[p]);
+      beside_.add(nodes, p, parts[p], [&](Index number) {
+        const Index i = local(number);
+        return i < number_.size() && number_[i] == number ? i : detail::PlatesBeside::none;
+      });
       add_springs(nodes, parts[p]);
     }
     gather(nodes, Serial{}), x_before = x;
@@ -74,9 +78,7 @@ class ContactNodes {
   }
 
   /// Plates of a part that are not alive no longer shift their nodes.
-  void remove(std::size_t part, const std::vector<bool>& alive) {
-    std::erase_if(beside_, [&](const PlateBeside& plate) { return plate.part == part && !alive.at(plate.cell); });
-  }
+  void remove(std::size_t part, const std::vector<bool>& alive) { beside_.remove(part, alive); }
 
   /// Takes note of the nodes in pairs, computes their `kicked`, and 1/m* of the pairs.
   template <class N, class E>
@@ -182,15 +184,6 @@ class ContactNodes {
   }
 
  private:
-  /// A plate whose middle is beside its nodes, some of which are of the contact.
-  struct PlateBeside {
-    std::array<Index, 4> places;  // of its nodes in memory
-    std::array<Index, 4> nodes;   // of the contact; size() where it is none
-    double offset;                // [length]
-    std::size_t part;
-    Index cell;
-  };
-
   /// Adds to the nodes of each cell its share of M V/h^2, of a plate M t A/L^2: M = rho c^2, h the volume over the
   /// largest face, of a tetrahedron three times that, its height; t the thickness, A the area, L the longest edge.
   template <class N>
@@ -223,34 +216,11 @@ class ContactNodes {
           spring_[i] += stiffness / static_cast<double>(count);
     }
   }
-  template <class N>
-  void add_offset(const N& nodes, std::size_t part, const PartFaces& plates) {
-    for (const Face& face : plates.faces) {
-      PlateBeside plate{{}, {}, plates.offset, part, face.cell};
-      bool touches = false;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const Index i = local(face.nodes[k]);
-        const bool is_here = i < number_.size() && number_[i] == face.nodes[k];
-        plate.places[k] = nodes.place(face.nodes[k]), plate.nodes[k] = is_here ? i : static_cast<Index>(size());
-        touches = touches || is_here;
-      }
-      if (touches) beside_.push_back(plate);
-    }
-  }
-  /// Moves nodes to the middle of their plates: by the mean offset along the normals of those around.
+  /// Moves nodes to the middle of their plates.
   template <class N>
   void shift(const N& nodes) {
-    using namespace detail;
-    std::vector<Eigen::Vector3d> sum(number_.size(), Eigen::Vector3d{0, 0, 0});
-    std::vector<int> plates(number_.size(), 0);
-    for (const PlateBeside& plate : beside_) {
-      const auto at = [&](std::size_t k) -> Eigen::Vector3d { return N::vector_of(nodes.position()[plate.places[k]]); };
-      const Eigen::Vector3d along = plate.offset * direction(cross<double>(at(2) - at(0), at(3) - at(1)));
-      for (const Index i : plate.nodes)
-        if (i < size()) sum[i] += along, ++plates[i];
-    }
-    for (std::size_t i = 0; i < number_.size(); ++i)
-      if (plates[i] > 0) x[i] += (1.0 / plates[i]) * sum[i];
+    const auto ways = beside_.ways(nodes, number_.size());
+    for (std::size_t i = 0; i < ways.size(); ++i) x[i] += ways[i];
   }
 
   void note_touched(Index i) {
@@ -267,7 +237,7 @@ class ContactNodes {
   std::vector<unsigned char> is_touched_;
   std::vector<double> inverse_mass_, spring_;
   double squared_stable_step_ = 0, squared_first_step_ = 0, shortened_ = 1;
-  std::vector<PlateBeside> beside_;
+  detail::PlatesBeside beside_;
   std::vector<int> held_;  // index into free_, or -1
   std::vector<Eigen::Matrix3d> free_;
   bool knows_held_ = false;

@@ -37,19 +37,24 @@ class Interior {
     each_entry([&](std::size_t column, Index f) { in_column_[end[column]++] = f; });
   }
 
-  /// The nearest face of the bodies that a node is inside of, other than its own; `none` if it is outside of all.
-  Index nearest_face(Index node) const {
-    Index best = Target::none;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Index piece : pieces_around(node))
+  /// The nearest face of the bodies that a node is inside of, other than its own; `none` if it is outside of all. The
+  /// node is looked at a little within its own solid, to which `outward` is its normal (or zero), `by` a length; a face
+  /// that looks the same way, with which it is flush, is none that it has come through.
+  Index nearest_face(Index node, const Eigen::Vector3d& outward, double by) const {
+    std::array<Index, 2> best{Target::none, Target::none};  // of those that it may have come through, and of all
+    std::array<double, 2> least;
+    least.fill(std::numeric_limits<double>::infinity());
+    for (const Index piece : pieces_around(node, x_[node] - by * outward))
       for (Index f = 0; f < piece_.size(); ++f) {
         if (piece_[f] != piece) continue;
         const Corners X = target_.corners(f, x_);
-        if (squared_distance_to_box(X, x_[node]) >= least) continue;
+        if (squared_distance_to_box(X, x_[node]) >= least[0]) continue;
         const double distance2 = target_.closest(f, X, x_[node]).distance2;
-        if (distance2 < least) least = distance2, best = f;
+        const bool is_flush = target_.normal(f, x_).dot(outward) > 0.3;
+        for (std::size_t k = is_flush ? 1 : 0; k < 2; ++k)
+          if (distance2 < least[k]) least[k] = distance2, best[k] = f;
       }
-    return best;
+    return best[0] != Target::none ? best[0] : best[1];
   }
 
  private:
@@ -107,17 +112,17 @@ class Interior {
     return column;
   }
 
-  /// The pieces that a node is inside of, by the turns of their faces around its ray.
-  std::vector<Index> pieces_around(Index node) const {
+  /// The pieces that a point near a node is inside of, by the turns of their faces around its ray.
+  std::vector<Index> pieces_around(Index node, const Eigen::Vector3d& point) const {
     std::vector<Index> own, inside;
     for (const Index f : target_.at(node)) own.push_back(piece_[f]);
-    const Plane at = across_ray(x_[node]);
+    const Plane at = across_ray(point);
     const auto [i, j] = column_of(at);
     std::vector<int> turns(is_closed_.size(), 0);
     for (std::size_t k = first_[j * columns_ + i]; k < first_[j * columns_ + i + 1]; ++k) {
       const Index f = in_column_[k], piece = piece_[f];
       if (!is_closed_[piece] || std::find(own.begin(), own.end(), piece) != own.end()) continue;
-      turns[piece] += crossing(f, at, x_[node][2]);
+      turns[piece] += crossing(f, at, point[2]);
     }
     for (Index piece = 0; piece < turns.size(); ++piece)
       if (turns[piece] != 0) inside.push_back(piece);

@@ -124,7 +124,8 @@ struct Kinematic {
 /// of the cells at the nodes of the pair (ContactNodes::squared_step), whatever bounds the step elsewhere and whatever
 /// shortens it; scaled so that kappa_I dt^2 <= fraction with kappa_I = sum of k |w_I| (sum of |w_J|)/m_I over the pairs
 /// of node I, a bound of the highest frequency (Gershgorin): the step stays nearly that of the elements. With one, the
-/// step becomes as small as it needs. No spring gives back more energy than it took.
+/// step becomes as small as it needs. No spring gives back more energy than it took, and one whose k grows presses by
+/// the depth at which the new k holds that energy.
 struct Penalty {
   double fraction = 0.5;  ///< of m*/dt^2, between 0 and 2
   double stiffness = 0;   ///< of each pair [force/length]; 0: by the fraction
@@ -154,7 +155,9 @@ struct Penalty {
       for (unsigned i = 0; i < pair.count; ++i) here = std::max(here, sum[pair.nodes[i]]);
       if (here > springs[p].most) pair.stiffness *= springs[p].most / here;
       if (pair.gap < 0 && pair.inverse_effective_mass > 0) {
-        pair.impulse = pair.stiffness * -pair.gap * step.kick();
+        const double held = std::sqrt(2 * std::max(0.0, *pair.stored) / pair.stiffness),
+                     depth = std::min(-pair.gap, held + std::max(0.0, -springs[p].before) * step.dt_before);
+        pair.impulse = pair.stiffness * depth * step.kick();
         coupled.give(p, pair.impulse);
       }
       return here;

@@ -3,6 +3,8 @@
 #include <concepts>
 #include <cstddef>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -10,10 +12,12 @@
 
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/friction.hpp>
+#include <strike/contact/plates_beside.hpp>
 #include <strike/contact/rigid.hpp>
 #include <strike/contact/spacing.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/part_faces.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -22,33 +26,44 @@ namespace strike::detail {
 /// Nodes that may touch a rigid half-space and leave it but not enter, by the Kinematic law in the numbers of the run.
 /// A node that would enter gets the impulse that brings it to the plane at the end of the step: an inelastic impact,
 /// which takes m v^2/2 of it, for a bar of N elements 1/(2 N) of the energy. It works on the nodes of the scene
-/// themselves: nodes that do not touch cost one look at their position and velocity.
+/// themselves: nodes that do not touch cost one look at their position and velocity. Plates touch it half their
+/// thickness from their middle, which an Offset puts beside their nodes.
 template <Friction F>
 class PlaneContact {
  public:
-  /// All nodes of the scene, or those given.
+  /// All nodes of the scene, or those given, with the thickness of their parts, or with the one given [length].
   PlaneContact(const RigidPlane& plane, F friction) : PlaneContact(plane, {}, friction) { everywhere_ = true; }
-  PlaneContact(const RigidPlane& plane, std::vector<Index> nodes, F friction)
-      : point_(plane.point), normal_(direction(plane.normal)), friction_(friction), nodes_(std::move(nodes)) {}
+  PlaneContact(const RigidPlane& plane, std::vector<Index> nodes, F friction, std::optional<double> thickness = {})
+      : point_(plane.point),
+        normal_(direction(plane.normal)),
+        friction_(friction),
+        nodes_(std::move(nodes)),
+        thickness_(thickness) {
+    if (thickness_) point_ += (0.5 * *thickness_) * normal_;
+  }
 
   /// Nodes that start inside keep their initial depth without force until they leave. Error: no such node.
   template <class N>
-  void begin(const N& nodes) {
+  void begin(const N& nodes, std::span<const PartFaces> parts = {}) {
     if (everywhere_) {
       places_.resize(nodes.size());
       std::iota(places_.begin(), places_.end(), Index{0});
     }
     for (const Index i : nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
+    find_plates(nodes, parts);
     std::vector<Eigen::Vector3d> all;
     for (const Index place : places_) all.push_back(position(nodes, place));
     cells_ = spacing(all);
+    const auto lifts = find_lifts(nodes);
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const Eigen::Vector3d& x = all[k];
-      const double depth = normal_.dot(point_ - x);
+      const double depth = normal_.dot(point_ - x) - static_cast<double>(lifts[k]);
       if (!(depth > 0)) continue;
       inside_.push_back({k, depth});
       const Index i = nodes.number(places_[k]);
+      if (!(depth > std::max(depth_of_rounding(x, 0), rounding(nodes, i)))) continue;
       if (depth > std::max(1e-9 * x.norm(), rounding(nodes, i))) initial_.add(i, x, depth);
+      initial_.overlaps.push_back({.nodes = {i}, .weights = {1}, .count = 1, .normal = normal_, .depth = depth});
     }
   }
 
@@ -56,11 +71,12 @@ class PlaneContact {
   template <class N>
   double stable_step(double dt, const N& nodes) const {
     double step = dt;
+    const auto lifts = find_lifts(nodes);
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const Eigen::Vector3d v = N::vector_of(nodes.velocity()[places_[k]]).template cast<double>();
       const double closing = -normal_.dot(v);
       if (!(closing * dt > closing_share * cells_[k])) continue;
-      const double gap = normal_.dot(position(nodes, places_[k]) - point_);
+      const double gap = normal_.dot(position(nodes, places_[k]) - point_) + static_cast<double>(lifts[k]);
       if (gap >= 0) step = std::min(step, closing_step(gap, closing, cells_[k]));
     }
     return step;
@@ -71,15 +87,17 @@ class PlaneContact {
     using Number = typename N::Number;
     using Vector = typename N::Vector;
     touches_.clear();
-    reduce_initial_depths(nodes);
+    const auto lifts = find_lifts(nodes);
+    reduce_initial_depths(nodes, lifts);
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const Index place = places_[k];
       const Vector x = N::vector_of(nodes.position()[place]), v = N::vector_of(nodes.velocity()[place]);
-      const Number approach = normal_.dot(v), excess = normal_.dot(point_ - x) - step.dt * approach;
+      const Number approach = normal_.dot(v), below = normal_.dot(point_ - x) - lifts[k],
+                   excess = below - step.dt * approach;
       if (!(excess > 0)) continue;
       const double initial_depth = initial_depth_of(k);
-      const Number depth = normal_.dot(point_ - x) - initial_depth;
+      const Number depth = below - initial_depth;
       const Index i = nodes.number(place);
       // Out no faster than in, so that no impulse adds energy; depths of rounding are taken out in full.
       const Number most = depth > rounding(nodes, i) ? Number(-2 * step.dt * approach) : excess;
@@ -108,8 +126,13 @@ class PlaneContact {
     kick_ = step.kick();
   }
 
+  /// Plates that are not alive no longer shift their nodes, which keep their thickness.
+  void remove(std::size_t part, const std::vector<bool>& alive) { beside_.remove(part, alive); }
+
   /// One sentence on nodes that start inside; empty if there are none.
   std::string warning() const { return initial_.warning(); }
+  /// Nodes that started inside.
+  const std::vector<Overlap>& overlaps() const { return initial_.overlaps; }
 
   /// The force on the nodes in the last step.
   const Eigen::Vector3d& force() const { return force_; }
@@ -130,7 +153,7 @@ class PlaneContact {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(force_, impulse_, kick_, inside_, touches_);
+    archive(force_, impulse_, kick_, inside_, touches_, beside_);
   }
 
  private:
@@ -151,15 +174,56 @@ class PlaneContact {
     double depth;
   };
 
+  /// How far the middles of the plates of each node are above it, less half their thickness [length]; 0 of all others.
+  template <class Number>
+  struct Lifts {
+    std::vector<Number> of_plates{};  // none if there are no such plates
+
+    Number operator[](std::size_t k) const { return of_plates.empty() ? Number(0.0) : of_plates[k]; }
+  };
+
+  template <class N>
+  Lifts<typename N::Number> find_lifts(const N& nodes) const {
+    Lifts<typename N::Number> lifts;
+    if (half_.empty() && beside_.empty()) return lifts;
+    lifts.of_plates.assign(places_.size(), 0.0);
+    if (!beside_.empty()) {
+      const auto ways = beside_.ways(nodes, places_.size());
+      for (std::size_t k = 0; k < ways.size(); ++k) lifts.of_plates[k] = normal_.dot(ways[k]);
+    }
+    for (std::size_t k = 0; k < half_.size(); ++k) lifts.of_plates[k] -= half_[k];
+    return lifts;
+  }
+  template <class N>
+  void find_plates(const N& nodes, std::span<const PartFaces> parts) {
+    std::vector<Index> entry(nodes.size(), PlatesBeside::none);
+    for (std::size_t k = 0; k < places_.size(); ++k) entry[nodes.number(places_[k])] = static_cast<Index>(k);
+    std::vector<double> sum(places_.size(), 0.0), plates(places_.size(), 0.0);
+    double thickest = 0;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      beside_.add(nodes, p, parts[p], [&](Index number) { return entry[number]; });
+      if (thickness_ || !(parts[p].thickness > 0)) continue;
+      for (const Face& face : parts[p].faces)
+        for (const Index i : face.nodes)
+          if (const Index k = entry[i]; k != PlatesBeside::none)
+            sum[k] += 0.5 * parts[p].thickness, ++plates[k], thickest = parts[p].thickness;
+    }
+    if (!(thickest > 0)) return;
+    for (std::size_t k = 0; k < sum.size(); ++k) half_.push_back(plates[k] > 0 ? sum[k] / plates[k] : 0);
+  }
+
   template <class N>
   static Eigen::Vector3d position(const N& nodes, Index place) {
     return N::vector_of(nodes.position()[place]).template cast<double>();
   }
   /// A node that has come up starts anew from its present depth, or from the plane.
-  template <class N>
-  void reduce_initial_depths(const N& nodes) {
+  template <class N, class Lifts>
+  void reduce_initial_depths(const N& nodes, const Lifts& lifts) {
     if (inside_.empty()) return;
-    for (auto& [k, depth] : inside_) depth = std::clamp(normal_.dot(point_ - position(nodes, places_[k])), 0.0, depth);
+    for (auto& [k, depth] : inside_) {
+      const double now = normal_.dot(point_ - position(nodes, places_[k])) - static_cast<double>(lifts[k]);
+      depth = std::clamp(now, 0.0, depth);
+    }
     std::erase_if(inside_, [](const InitialDepth& initial) { return !(initial.depth > 0); });
   }
   double initial_depth_of(std::size_t k) const {
@@ -195,7 +259,10 @@ class PlaneContact {
   Eigen::Vector3d point_, normal_;
   [[no_unique_address]] F friction_;
   bool everywhere_ = false;
-  std::vector<Index> nodes_;           // numbers of those given
+  std::vector<Index> nodes_;         // numbers of those given
+  std::optional<double> thickness_;  // of their plates, if it is not that of their parts [length]
+  std::vector<double> half_;         // half the thickness of the plates of each node, if there are any [length]
+  PlatesBeside beside_;
   std::vector<Index> places_;          // of the nodes in memory
   std::vector<double> cells_;          // their size at each node [length]
   std::vector<InitialDepth> inside_;   // in ascending order of k

@@ -28,10 +28,14 @@ class RigidApproach {
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       const Index i = nodes_[s];
       largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(i));
-      const double gap = body_.clearance(all.x[i]).gap - depth_;
+      const auto [distance, normal] = body_.clearance(all.x[i]);
+      const double gap = distance - depth_;
       if (!(gap < 0)) continue;
       touches_[s].initial_depth = -gap;
-      if (-gap > 1e-9 * all.x[i].norm()) inside.add(all.number(i), all.x[i], -gap);
+      if (!(-gap > depth_of_rounding(all.x[i], 0))) continue;
+      ContactPair pair(normal, gap);
+      pair.add(i, 1);
+      inside.add(all, pair, 1e-9 * all.x[i].norm());
     }
   }
 
@@ -59,7 +63,7 @@ class RigidApproach {
       if (!(dt * v.norm() > closing_share * cells_[s])) continue;
       const auto [distance, normal] = body_.clearance(x);
       const double gap = distance - depth_, closing = -normal.dot(v);
-      if (closing * dt > gap && gap >= 0 && meets(x, gap, dt * v))
+      if (closing > 0 && closing * dt > gap && (gap < 0 || meets(x, gap, dt * v)))  // inside, springs let it deeper
         step = std::min(step, detail::closing_step(gap, closing, cells_[s]));
     }
     return step;

@@ -1,14 +1,22 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/contact/contact_nodes.hpp>
+#include <strike/contact/overlap.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/part_faces.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {
@@ -41,8 +49,46 @@ inline void check_depth(Index number, const Eigen::Vector3d& x, double depth, do
   throw Error(joined({"strike: node ", std::to_string(number), " at ", text(x), " has come ", text(depth), advice}));
 }
 
-/// Count of the nodes that start inside, and the deepest of them.
+/// The cells around the nodes of a contact at the start, as far as parts are known.
+struct CellsAround {
+  /// Unit vectors out of the solids, the mean of the normals of the faces around each node, weighted by their angles;
+  /// zero of nodes of plates alone.
+  std::vector<Eigen::Vector3d> outward{};
+  std::vector<double> edge{};  ///< the least of the cells of each node; infinite of others [length]
+
+  CellsAround() = default;
+  template <class N>
+  CellsAround(const ContactNodes& all, const N& nodes, std::span<const PartFaces> parts)
+      : outward(all.size(), Eigen::Vector3d{0, 0, 0}), edge(all.size(), std::numeric_limits<double>::infinity()) {
+    for (const PartFaces& part : parts)
+      for (const Face& face : part.faces) {
+        const unsigned count = face.is_triangle() ? 3 : 4;
+        const auto x = [&](unsigned k) -> Eigen::Vector3d {
+          return nodes.x(face.nodes[k % count]).template cast<double>();
+        };
+        for (unsigned k = 0; k < count; ++k) {
+          const Index i = all.local(face.nodes[k]);
+          if (i == all.first_point() || all.number(i) != face.nodes[k]) continue;
+          const Eigen::Vector3d a = x(k + 1) - x(k), b = x(k + count - 1) - x(k), area = cross<double>(a, b);
+          if (a.norm() > 0) edge[i] = std::min(edge[i], a.norm());
+          if (b.norm() > 0) edge[i] = std::min(edge[i], b.norm());
+          if (part.thickness > 0 || !(area.norm() > 0)) continue;
+          outward[i] += std::atan2(area.norm(), a.dot(b)) * direction(area);  // faces between two cells cancel
+        }
+      }
+    for (Eigen::Vector3d& n : outward) n = n.norm() > 1e-6 ? direction(n) : Eigen::Vector3d{0, 0, 0};
+  }
+};
+
+/// Depths below which nothing is inside: what the spacing of the coordinates makes, or a share of the size of a cell.
+inline double depth_of_rounding(const Eigen::Vector3d& x, double size) {
+  return std::max(8 * std::numeric_limits<double>::epsilon() * x.norm(), 1e-10 * size);
+}
+
+/// The nodes that start inside: their number, the deepest of them, and how they overlap.
 struct InitialPenetration {
+  std::vector<Overlap> overlaps{};
+  CellsAround around{};  ///< known while a contact begins
   std::size_t count = 0;
   Index deepest = 0;  ///< number of the deepest node in the scene
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -52,13 +98,25 @@ struct InitialPenetration {
     ++count;
     if (d > depth) depth = d, deepest = number, place = x;
   }
+  /// The same for the first node of a pair, whose gap is negative; below `tolerance` it overlaps, but is not counted.
+  void add(const ContactNodes& all, const ContactPair& pair, double tolerance = 0) {
+    const Index i = pair.nodes[0];
+    if (-pair.gap > tolerance) add(all.number(i), all.x[i], -pair.gap);
+    Overlap overlap{.normal = pair.normal, .depth = -pair.gap};
+    for (unsigned k = 0; k < pair.count; ++k)
+      if (pair.nodes[k] < all.first_point())
+        overlap.nodes[overlap.count] = all.number(pair.nodes[k]), overlap.weights[overlap.count++] = pair.weights[k];
+    overlaps.push_back(overlap);
+  }
   /// One sentence for the user; empty if no node starts inside.
   std::string warning() const {
     if (count == 0) return {};
-    return joined({std::to_string(count), count == 1 ? " node begins" : " nodes begin",
-                   " inside what they may touch, the deepest, node ", std::to_string(deepest), " at ", text(place),
-                   ", by ", text(depth),
-                   "; they stay so deep without force until they leave: move the meshes apart if that is not meant."});
+    return joined(
+        {std::to_string(count), count == 1 ? " node begins" : " nodes begin",
+         " inside what they may touch, the deepest, node ", std::to_string(deepest), " at ", text(place), ", by ",
+         text(depth),
+         "; they stay so deep without force until they leave: if that is not meant, take pushed_apart(scene), or "
+         "move the meshes."});
   }
 };
 

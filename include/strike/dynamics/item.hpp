@@ -34,7 +34,9 @@ namespace strike {
 //                                            its number, alive[e] is false once its element e is deleted
 //  7. warning() -> std::string               a sentence that the user should read before the results; empty: none
 //  8. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
-//  9. LoadHistory                             the type of what it calls as history(time) for a number, if it does
+//  9. overlaps() -> std::vector<Overlap>      what pushed_apart moves before a run, known after begin; see
+//                                            strike/contact/overlap.hpp
+// 10. LoadHistory                             the type of what it calls as history(time) for a number, if it does
 //
 // Laws. Work that enters or leaves the nodes is booked, by the ledger or by power. The result does not depend on how
 // nodes lie in memory: an item names them by their numbers. An item that changes no velocity and no force changes no

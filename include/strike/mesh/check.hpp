@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,45 @@ inline constexpr double flat = 1e-9;
 inline double corner_sine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double lengths = a.norm() * b.norm() * c.norm();
   return lengths > 0 ? cross(a, b).dot(c) / lengths : 0;
+}
+
+/// The least scaled Jacobian of the corners of a cell, and the corner that has it; of a tetrahedron at corner 0, of a
+/// quadrilateral the triple product with its normal.
+struct CornerSine {
+  double sine = std::numeric_limits<double>::infinity();
+  std::size_t corner = 0;
+
+  void take(double other, std::size_t at) {
+    if (other < sine) sine = other, corner = at;
+  }
+};
+inline CornerSine least_corner_sine(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 8>& cell) {
+  // The neighbours of each corner, so that their edges are right-handed.
+  constexpr std::array<std::array<unsigned, 3>, 8> neighbours{
+      {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+  CornerSine least;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Eigen::Vector3d& x = nodes[cell[i]];
+    const auto& [a, b, c] = neighbours[i];
+    least.take(corner_sine(nodes[cell[a]] - x, nodes[cell[b]] - x, nodes[cell[c]] - x), i);
+  }
+  return least;
+}
+inline CornerSine least_corner_sine_of_tetrahedron(std::span<const Eigen::Vector3d> nodes,
+                                                   const std::array<Index, 4>& cell) {
+  const Eigen::Vector3d& x = nodes[cell[0]];
+  return {corner_sine(nodes[cell[1]] - x, nodes[cell[2]] - x, nodes[cell[3]] - x), 0};
+}
+inline CornerSine least_corner_sine_of_quadrilateral(std::span<const Eigen::Vector3d> nodes,
+                                                     const std::array<Index, 4>& cell) {
+  const Eigen::Vector3d area = area_vector(nodes, Face{cell, 0});
+  CornerSine least;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector3d& x = nodes[cell[i]];
+    const Eigen::Vector3d next = nodes[cell[(i + 1) % 4]] - x, last = nodes[cell[(i + 3) % 4]] - x;
+    least.take(corner_sine(next, last, area), i);
+  }
+  return least;
 }
 
 template <std::size_t N>
@@ -68,40 +108,27 @@ inline void check(const Mesh& mesh) {
   detail::check_numbers("tetrahedron", nodes, mesh.tetrahedra);
   detail::check_numbers("quadrilateral", nodes, mesh.quadrilaterals);
 
-  // The neighbours of each corner, so that their edges are right-handed.
-  constexpr std::array<std::array<unsigned, 3>, 8> neighbours{
-      {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     const auto& cell = mesh.hexahedra[e];
-    for (std::size_t i = 0; i < 8; ++i) {
-      const Eigen::Vector3d& x = nodes[cell[i]];
-      const auto& [a, b, c] = neighbours[i];
-      if (detail::corner_sine(nodes[cell[a]] - x, nodes[cell[b]] - x, nodes[cell[c]] - x) <= detail::flat)
-        throw Error(
-            detail::joined({detail::cell_text<8>("hexahedron", e, nodes, cell), " is flat or inside out at corner ",
-                            std::to_string(i), " (volume ", detail::text(hexahedron_volume(nodes, cell)),
-                            "); order its corners 0-3 around the bottom and 4-7 above them, right-handed."}));
-    }
+    if (const auto [sine, corner] = detail::least_corner_sine(nodes, cell); sine <= detail::flat)
+      throw Error(
+          detail::joined({detail::cell_text<8>("hexahedron", e, nodes, cell), " is flat or inside out at corner ",
+                          std::to_string(corner), " (volume ", detail::text(hexahedron_volume(nodes, cell)),
+                          "); order its corners 0-3 around the bottom and 4-7 above them, right-handed."}));
   }
   for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e) {
     const auto& cell = mesh.tetrahedra[e];
-    const Eigen::Vector3d& x = nodes[cell[0]];
-    if (detail::corner_sine(nodes[cell[1]] - x, nodes[cell[2]] - x, nodes[cell[3]] - x) <= detail::flat)
+    if (detail::least_corner_sine_of_tetrahedron(nodes, cell).sine <= detail::flat)
       throw Error(detail::joined({detail::cell_text<4>("tetrahedron", e, nodes, cell),
                                   " is flat or inside out (volume ", detail::text(tetrahedron_volume(nodes, cell)),
                                   "); order its corners so that 3 lies above the counter-clockwise 0-1-2."}));
   }
   for (std::size_t e = 0; e < mesh.quadrilaterals.size(); ++e) {
     const auto& cell = mesh.quadrilaterals[e];
-    const Eigen::Vector3d area = area_vector(nodes, Face{cell, 0});
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Eigen::Vector3d& x = nodes[cell[i]];
-      const Eigen::Vector3d next = nodes[cell[(i + 1) % 4]] - x, last = nodes[cell[(i + 3) % 4]] - x;
-      if (!(cross(next, last).dot(area) > detail::flat * next.norm() * last.norm() * area.norm()))
-        throw Error(detail::joined({detail::cell_text<4>("quadrilateral", e, nodes, cell),
-                                    " is crossed, concave or flat at corner ", std::to_string(i),
-                                    "; list its corners in order around a convex shape."}));
-    }
+    if (const auto [sine, corner] = detail::least_corner_sine_of_quadrilateral(nodes, cell); !(sine > detail::flat))
+      throw Error(detail::joined({detail::cell_text<4>("quadrilateral", e, nodes, cell),
+                                  " is crossed, concave or flat at corner ", std::to_string(corner),
+                                  "; list its corners in order around a convex shape."}));
   }
 
   const std::vector<Index> orphans = orphan_nodes(mesh);
