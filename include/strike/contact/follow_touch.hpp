@@ -34,12 +34,15 @@ class FollowedTouch {
   bool is_own(Index f) const { return self && faces_.target.has(f, i_); }
 
   /// Where plates are in it, which touch at a distance from their middle: the closest point of its face or of those
-  /// around. The side of a plate is given by the vector at its present face, and at those around by their common order
-  /// of corners.
+  /// around; of those beyond a crest only while its middle is outside of the solid, for within it they are beside it and
+  /// not behind. The side of a plate is given by the vector at its present face, and at those around by their common
+  /// order of corners.
   std::optional<Place> at_a_distance() const {
     const Foot own = faces_.foot(touch_.face, all_, i_, touch_.place);
-    Foot best = nearest_from(own, [&](Index f) { return !is_own(f); });
-    const bool is_plate = faces_.target.is_plate(touch_.face);
+    const bool is_plate = faces_.target.is_plate(touch_.face), is_inside = !is_plate && own.height < 0;
+    Foot best = nearest_from(own, [&](Index f) {
+      return !is_own(f) && (!is_inside || goes_on(touch_.normal, faces_.normal(f, all_)));
+    });
     const auto is_behind = [&](Index f, const std::array<double, 4>& N) {
       return is_plate && touch_.normal.dot(faces_.normal(f, N, all_)) < 0;
     };
