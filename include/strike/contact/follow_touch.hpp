@@ -52,17 +52,15 @@ class FollowedTouch {
         if (foot.beyond > closed || foot.away.squaredNorm() >= best.point.distance2) return;
         best = faces_.foot(f, all_, i_), behind = is_behind(f, foot.N);
       });
-    if (best.on_border) {
-      if (is_plate)
-        behind = best.height < 0;  // round the edge of a plate
-      else if (slid_off(best))
-        return std::nullopt;
+    if (best.on_border && is_past(best)) {
+      if (!is_plate) return std::nullopt;
+      behind = best.height < 0;  // round the edge of a plate
     }
     const double side = behind ? -1 : 1;
     return Place{best.face, best.point.N, side * best.normal, side * best.height};
   }
-  /// True if the node went past the border of an open surface rather than through it.
-  bool slid_off(const Foot& foot) const {
+  /// True if the node went past the border of a plate or an open surface rather than through it.
+  bool is_past(const Foot& foot) const {
     const double down = faces_.normal(foot.face, foot.point.N, all_).dot(foot.point.away);
     return foot.point.distance2 > 2 * down * down + 1e-24 * faces_.size * faces_.size;
   }
