@@ -18,6 +18,10 @@ TEST_CASE("conformance: a law of one's own answers alike") {
       {.order = 0.02});  // it takes each pair once
 }
 
+TEST_CASE("conformance: a rigid body of one's own answers alike") {
+  testing::answers_alike_on_rigid(testing::nodes_on(RigidTorus{0.4, 0.3}, Restitution{0.7}));
+}
+
 TEST_CASE("a ball jumps on a rigid body of one's own with the restitution of its law") {
   testing::Balls run({{2, 0, 1}}, {{0, 0, -1}}, {1},
                      Contact{NodeToRigid{std::vector<Index>{0}, RigidTorus{2, 0.5}}, Restitution{0.7}});
