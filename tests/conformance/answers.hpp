@@ -189,6 +189,7 @@ struct Encounter {
   std::size_t nodes = 0;                             ///< of both bodies
   std::array<std::size_t, 3> first_cells{}, last{};  ///< hexahedra, tetrahedra and plates of the first, and of both
   double thickness = 0.1;                            ///< of plates [length]
+  double until = 0.2507;                             ///< [time]
 
   Encounter(std::string title, const Mesh& one, const Mesh& other, const Eigen::Vector3d& v, Lies how = Lies::askew)
       : name(std::move(title)), first(one), second(other), flight(v), lies(how), mesh(first) {
@@ -225,7 +226,6 @@ struct Change {
   double step = 2e-3;        ///< [time]
   int threads = 0;
   int interrupted = 0;  ///< each time after so many steps
-  double until = 0.2507;
 };
 
 /// The positions of the nodes of both bodies after a while, in their numbers and as before the change.
@@ -307,7 +307,7 @@ inline std::vector<Eigen::Vector3d> answer(const Encounter& whole, const MakeCon
   // A step that no far element bounds.
   const ExplicitOptions options{
       .largest_step = change.length * change.step, .energy_tolerance = 0.2, .print_warnings = false};
-  const double end = change.length * change.until;
+  const double end = change.length * whole.until;
   const auto after = [&](const auto& execution) {
     auto run = std::make_unique<decltype(Explicit{parts, options, execution})>(parts, options, execution);
     while (change.interrupted > 0 && run->time() + (change.interrupted + 2) * options.largest_step < end) {
@@ -368,6 +368,7 @@ inline std::vector<Encounter> encounters() {
 
   const Mesh cube = box({.lower = {-0.5, -0.5, 0}, .size = {1, 1, 0.6}, .cells = {2, 2, 1}});
   all.emplace_back("flush cubes", translated(cube, {0, 0, 0.605}), cube, Eigen::Vector3d(0, 0, -1), Lies::flush);
+  all.back().until = 0.1507;  // it has stopped, and the other has taken its velocity
   return all;
 }
 
@@ -413,13 +414,13 @@ inline std::vector<Change> changes_of(const Encounter& scene, const Allowed& all
   add({.name = "turned", .tolerance = rounding, .turn = askew});
   add({.name = "moved", .tolerance = rounding, .moved = {12, -7, 5}});
   add({.name = "renumbered", .tolerance = settled, .seed = 1});
-  add({.name = "plates from behind", .tolerance = rounding, .flips = true});
+  if (scene.last[2] > 0) add({.name = "plates from behind", .tolerance = rounding, .flips = true});
   add({.name = "millimetres", .tolerance = rounding, .length = 1000});
   add({.name = "tonnes", .tolerance = rounding, .mass = 1e-3});
   add({.name = "a far element deleted", .tolerance = 1e-12, .far_goes = true});
   add({.name = "three threads", .tolerance = 0, .threads = 3});
   add({.name = "half the step", .tolerance = 1e-2 + allowed.order, .step = 1e-3});
-  add({.name = "interrupted", .tolerance = 0, .interrupted = 7});
+  add({.name = "interrupted", .tolerance = 0, .interrupted = 11});
   add({.name = "aside by 1e-12", .tolerance = 1e-9, .aside = {1e-12, 0, 0}});
   if (rigid || !flush || allowed.has_edges) {
     // Beside the top of a curved body by d = 1.4e-3 a square L that jumps turns by 2 (6/L^2) v t d = 0.01.
@@ -439,7 +440,7 @@ inline void answers_alike_in(const Encounter& scene, const MakeContact& make, co
   const auto as_it_is = answer(scene, make, {});
   std::vector<Eigen::Vector3d> untouched;
   for (std::size_t i = 0; i < scene.nodes; ++i)
-    untouched.emplace_back(scene.mesh.nodes[i] + Change{}.until * scene.velocity[i]);
+    untouched.emplace_back(scene.mesh.nodes[i] + scene.until * scene.velocity[i]);
   CHECK(apart(as_it_is, untouched) > 0.02);
   for (const Change& change : changes_of(scene, allowed)) {
     CAPTURE(change.name);
