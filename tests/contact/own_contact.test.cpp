@@ -1,5 +1,9 @@
 #include "examples/own_contact/own_contact.hpp"
 
+#include <numbers>
+
+#include <Eigen/Geometry>
+
 #include "conformance/answers.hpp"
 #include "conformance/contact.hpp"
 
@@ -16,6 +20,13 @@ TEST_CASE("conformance: a law of one's own answers alike") {
         return Contact{TwoWay{one, other}, Restitution{0.7}};
       },
       {.order = 0.02});  // it takes each pair once
+}
+
+TEST_CASE("conformance: a rigid body of one's own answers alike") {
+  // A wheel whose top is the origin.
+  const testing::Placement upright{.turn = Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()).matrix(),
+                                   .moved = {0, 0, -2.5}};
+  testing::answers_alike_on_rigid(testing::nodes_on(testing::placed(RigidTorus{2, 0.5}, upright), Coulomb{0.3}));
 }
 
 TEST_CASE("a ball jumps on a rigid body of one's own with the restitution of its law") {

@@ -34,12 +34,14 @@ class FollowedTouch {
   bool is_own(Index f) const { return self && faces_.target.has(f, i_); }
 
   /// Where plates are in it, which touch at a distance from their middle: the closest point of its face or of those
-  /// around. The side of a plate is given by the vector at its present face, and at those around by their common order
-  /// of corners.
+  /// around; of those beyond a crest only while its middle is outside of the solid, for within it they are beside it
+  /// and not behind. The side of a plate is given by the vector at its present face, and at those around by their
+  /// common order of corners.
   std::optional<Place> at_a_distance() const {
     const Foot own = faces_.foot(touch_.face, all_, i_, touch_.place);
-    Foot best = nearest_from(own, [&](Index f) { return !is_own(f); });
-    const bool is_plate = faces_.target.is_plate(touch_.face);
+    const bool is_plate = faces_.target.is_plate(touch_.face), is_inside = !is_plate && own.height < 0;
+    Foot best = nearest_from(
+        own, [&](Index f) { return !is_own(f) && (!is_inside || goes_on(touch_.normal, faces_.normal(f, all_))); });
     const auto is_behind = [&](Index f, const std::array<double, 4>& N) {
       return is_plate && touch_.normal.dot(faces_.normal(f, N, all_)) < 0;
     };
@@ -51,17 +53,22 @@ class FollowedTouch {
       });
     if (best.on_border) {
       if (is_plate)
-        behind = best.height < 0;  // round the edge of a plate
+        behind = is_within(best) && !slid_off(best) ? behind : best.height < 0;  // round the edge of a plate
       else if (slid_off(best))
         return std::nullopt;
     }
     const double side = behind ? -1 : 1;
     return Place{best.face, best.point.N, side * best.normal, side * best.height};
   }
-  /// True if the node went past the border of an open surface rather than through it.
+  /// True if the node went past the border of a plate or an open surface rather than through it.
   bool slid_off(const Foot& foot) const {
     const double down = faces_.normal(foot.face, foot.point.N, all_).dot(foot.point.away);
     return foot.point.distance2 > 2 * down * down + 1e-24 * faces_.size * faces_.size;
+  }
+  /// True if the node is within the thickness of a plate.
+  bool is_within(const Foot& foot) const {
+    const double depth = faces_.depth(i_, foot.face, foot.point.N);
+    return foot.point.distance2 < depth * depth;
   }
 
   /// Of a solid: the foot of the perpendicular on its face, or on one that goes on there; else on the edge of a dent.
