@@ -88,13 +88,11 @@ struct Kinematic {
       const bool is_last = settling.is_last(), may_take_back = guessed || !is_last;
       settling.note(coupled.sweep(execution, settling.is_forward(), [&](std::size_t p) {
         Approach& pair = all[p];
-        const double now = coupled.approach(p), w = pair.inverse_effective_mass;
-        pair.change = 0;
-        if (!(w > 0) || !(now < pair.wanted || (pair.impulse > 0 && may_take_back))) return 0.0;
-        pair.change = std::max(-pair.impulse, (pair.wanted - now) * pair.effective_mass);
+        pair.change =
+            std::max(may_take_back ? -pair.impulse : 0.0, (pair.wanted - coupled.approach(p)) * pair.effective_mass);
         pair.impulse += pair.change;
         coupled.give(p, pair.change);
-        return std::abs(pair.change) * w;
+        return std::abs(pair.change) * pair.inverse_effective_mass;
       }));
       if (is_last || settling.sweep() < detail::Settling::patience) continue;
       const double norm2_before = norm2;

@@ -60,6 +60,8 @@ struct CellsAround {
   template <class N>
   CellsAround(const ContactNodes& all, const N& nodes, std::span<const PartFaces> parts)
       : outward(all.size(), Eigen::Vector3d{0, 0, 0}), edge(all.size(), std::numeric_limits<double>::infinity()) {
+    std::vector<Index> local(nodes.size(), all.first_point());
+    for (Index i = 0; i < all.first_point(); ++i) local[all.number(i)] = i;
     for (const PartFaces& part : parts)
       for (const Face& face : part.faces) {
         const unsigned count = face.is_triangle() ? 3 : 4;
@@ -67,8 +69,8 @@ struct CellsAround {
           return nodes.x(face.nodes[k % count]).template cast<double>();
         };
         for (unsigned k = 0; k < count; ++k) {
-          const Index i = all.local(face.nodes[k]);
-          if (i == all.first_point() || all.number(i) != face.nodes[k]) continue;
+          const Index i = local[face.nodes[k]];
+          if (i == all.first_point()) continue;
           const Eigen::Vector3d a = x(k + 1) - x(k), b = x(k + count - 1) - x(k), area = cross<double>(a, b);
           if (a.norm() > 0) edge[i] = std::min(edge[i], a.norm());
           if (b.norm() > 0) edge[i] = std::min(edge[i], b.norm());
