@@ -110,7 +110,7 @@ class ContactNodes {
       double normal_before = 0, normal_after = 0, friction_before = 0, friction_after = 0;
     };
     std::vector<Sums> sums(chunks(touched_.size()));
-    for_each_chunk(execution, touched_.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    for_each_chunk(execution, touched_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
       Sums sum;
       for (std::size_t k = first; k < last; ++k) {
         const Index i = touched_[k];
@@ -120,7 +120,7 @@ class ContactNodes {
         sum.normal_before += normal_impulse[i].dot(v_before), sum.normal_after += normal_impulse[i].dot(v[i]);
         sum.friction_before += friction_impulse[i].dot(v_before), sum.friction_after += friction_impulse[i].dot(v[i]);
       }
-      sums[chunk] = sum;
+      sums[c] = sum;
     });
     for (const Sums& sum : sums) {
       ledger.contact.book_impulse(-sum.normal_before, -sum.normal_after);
@@ -156,8 +156,9 @@ class ContactNodes {
     shortened_ = std::min(1.0, squared_stable_step_ / squared_first_step_);
   }
 
-  /// Gives node i an impulse along a normal [force time].
+  /// Gives node i an impulse along a normal, or of friction [force time].
   void push(Index i, const Eigen::Vector3d& impulse) { book_push(i, impulse), nudge(i, impulse); }
+  void drag(Index i, const Eigen::Vector3d& impulse) { book_drag(i, impulse), nudge(i, impulse); }
   /// Changes its velocity alone, for laws that try impulses and book the last ones.
   void nudge(Index i, const Eigen::Vector3d& impulse) {
     using namespace detail;
@@ -310,6 +311,11 @@ struct ContactPair {
     using namespace detail;
     impulse += J;
     for (unsigned i = 0; i < count; ++i) all.push(nodes[i], (weights[i] * J) * normal);
+  }
+  /// Gives the pair an impulse of friction.
+  void drag(ContactNodes& all, const Eigen::Vector3d& J) const {
+    using namespace detail;
+    for (unsigned i = 0; i < count; ++i) all.drag(nodes[i], weights[i] * J);
   }
   /// Books its impulse, which the velocities have got already.
   void book(ContactNodes& all) const {
