@@ -7,6 +7,7 @@
 #include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/order.hpp>
+#include <strike/range.hpp>
 
 namespace strike::detail {
 
@@ -25,8 +26,11 @@ Arrangement arrange(const Scene<Items...>& scene) {
     if (!named[node]) named[node] = true, arrangement.nodes.push_back(node);
   };
   const auto place = [&](const auto& item) {
-    if constexpr (is_part<std::decay_t<decltype(item)>>) {
+    if constexpr (!is_part<std::decay_t<decltype(item)>>) {
+      check_ranges(item);
+    } else {
       const std::string part = std::to_string(arrangement.cells.size());
+      check_ranges(item, joined({", in part ", part, ","}));
       if (item.cells.empty()) throw Error(joined({"strike: part ", part, " has no elements; give it cells."}));
       for (std::size_t e = 0; e < item.cells.size(); ++e)
         for (const Index node : item.cells[e])

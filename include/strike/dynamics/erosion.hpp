@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <strike/dynamics/removal.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -24,6 +25,12 @@ struct Erosion {
   double strain = std::numeric_limits<double>::infinity();
   double volume = 0;  ///< least V/V0, of a plate A/A0; 0: until it is inverted
   double step = 0;    ///< least stable step of the element, before the factor [time]
+
+  void ranges(const auto& number) const {
+    number("strain", strain, range::or_infinite(range::positive));
+    number("volume", volume, Range{.low = 0, .high = 1, .without_low = false});
+    number("step", step, range::not_negative);
+  }
 
   template <class M>
   static constexpr bool needs_geometric_strain_of = !detail::has_plastic_strain<M>();

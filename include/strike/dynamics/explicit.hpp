@@ -140,7 +140,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
  private:
   Explicit(Scene<Items...>& scene, const ExplicitOptions& options, Method method, detail::Arrangement arrangement)
       : RunningScene(scene, std::move(arrangement)),
-        options_(options),
+        options_(detail::in_range(options)),
         execution_(std::move(method.execution)),
         bound_(method.bound),
         damping_(method.damping),

@@ -1,7 +1,7 @@
 #pragma once
 #include <limits>
 
-#include <strike/cxx20.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -13,6 +13,14 @@ struct ExplicitOptions {
   double smallest_step = 0;        ///< the run is given up below it; 0: below a millionth of the first [time]
   double energy_tolerance = 0.05;  ///< the run is given up if the balance is off by more
   bool print_warnings = true;      ///< on stderr, when the run starts
+
+  void ranges(const auto& number) const {
+    number("step_factor", step_factor, Range{.low = 0, .high = 1, .without_high = false});
+    number("step_growth", step_growth, range::at_least(1));
+    number("largest_step", largest_step, range::or_infinite(range::positive));
+    number("smallest_step", smallest_step, range::not_negative);
+    number("energy_tolerance", energy_tolerance, range::or_infinite(range::positive));
+  }
 };
 
 }  // namespace strike

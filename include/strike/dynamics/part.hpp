@@ -94,6 +94,8 @@ struct Part {
   M material;
   Cells<n> cells;
   [[no_unique_address]] Removal removal{};
+
+  void ranges(const auto& number) const { number(element), number(material), number(removal); }
 };
 template <class E, class M, std::size_t n>
 Part(E, M, std::vector<std::array<Index, n>>) -> Part<E, M, n>;

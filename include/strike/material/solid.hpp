@@ -51,6 +51,8 @@ struct Solid {
   S strength;
   [[no_unique_address]] Failure failure{};
 
+  void ranges(const auto& number) const { number(eos), number(strength), number(failure); }
+
   using Kinematics = SolidKinematics;
 
   template <class T>

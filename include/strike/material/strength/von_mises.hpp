@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -11,6 +12,11 @@ struct VonMises {
   double yield_stress;           ///< Y [stress]
   double hardening_modulus = 0;  ///< H = d sigma / d (plastic strain), > -3 G; negative is softening [stress]
 
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    number("yield_stress", yield_stress, range::not_negative);
+    number("hardening_modulus", hardening_modulus, range::above(-3 * shear_modulus));
+  }
   std::string warning() const {
     if (hardening_modulus >= 0) return {};
     return "The hardening modulus is negative: strain that softens gathers in one row of elements, and the result "
