@@ -39,7 +39,7 @@ class PlaneContact {
         friction_(friction),
         nodes_(std::move(nodes)),
         thickness_(thickness) {
-    if (thickness_) point_ += (0.5 * *thickness_) * normal_;
+    point_ += (0.5 * thickness.value_or(0.0)) * normal_;
   }
 
   /// Nodes that start inside keep their initial depth without force until they leave. Error: no such node.
