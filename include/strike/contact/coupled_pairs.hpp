@@ -22,14 +22,15 @@ namespace strike::detail {
 /// each other ask more of their nodes than these can give, and impulses that add up to nothing settle slowly.
 class Settling {
  public:
-  static constexpr int patience = 10;
+  static constexpr int patience = 10;  ///< sweeps, after which the directions of those before are worth their price
+  static constexpr int stalled = 120;  ///< sweeps that have not halved the change
 
   Settling(double fastest, int most_sweeps) : enough_(1e-6 * fastest), most_sweeps_(most_sweeps) {}
 
   bool goes_on() const { return !ended_ && change_ > enough_; }
   bool is_forward() const { return sweep_ % 2 == 0; }
   /// True if no sweep comes after this one, whatever it changes.
-  bool is_last() const { return sweep_ + 1 >= most_sweeps_ || sweep_ > halved_ + 2 * patience; }
+  bool is_last() const { return sweep_ + 1 >= most_sweeps_ || sweep_ > halved_ + stalled; }
   int sweep() const { return sweep_; }
   /// Ends a sweep, in which no velocity has changed more than by that.
   void note(double change) {
