@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/range.hpp>
 #include <strike/section/piece.hpp>
 #include <strike/section/slots.hpp>
 #include <strike/text.hpp>
@@ -80,7 +81,24 @@ class Layered {
   };
 
   explicit Layered(const Pieces&... pieces) : pieces_{{pieces}...}, shear_(detail::shear_of(pieces...)) {
-    if constexpr (sound) measure(detail::offset_of(pieces...));
+    if constexpr (sound) {
+      detail::check_ranges(*this);
+      measure(detail::offset_of(pieces...));
+    }
+  }
+
+  void ranges(const auto& number) const {
+    std::size_t k = 0;
+    const auto visit = [&](const auto& piece) {
+      using P = detail::Piece<std::remove_cvref_t<decltype(piece)>>;
+      if constexpr (P::is_layer)
+        number(piece, detail::joined({"layer ", std::to_string(k)})), k += P::count(piece);
+      else
+        number(piece);
+    };
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (visit(detail::get<i>(pieces_)), ...);
+    }(std::index_sequence_for<Pieces...>{});
   }
 
   double density() const { return integrals_.mass; }
@@ -287,12 +305,7 @@ class Layered {
     });
   }
 
-  [[gnu::cold]] void add_thickness(std::size_t count, double h) {
-    if (!(h >= 0))
-      throw Error(detail::joined({"strike: layer ", std::to_string(layers_), " of a section has the thickness ",
-                                  detail::text(h), ": give 0 or more."}));
-    layers_ += count, thickness_ += static_cast<double>(count) * h;
-  }
+  void add_thickness(std::size_t count, double h) { layers_ += count, thickness_ += static_cast<double>(count) * h; }
 
   detail::List<Pieces...> pieces_;
   detail::List<typename detail::Piece<Pieces>::Measured...> measured_;

@@ -4,6 +4,7 @@
 
 #include <strike/material/report.hpp>
 #include <strike/protocol.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 
 namespace strike {
@@ -177,5 +178,16 @@ T bulk_modulus(const E& eos, const State& state, const T& J, const T& pressure) 
     return max(compression * cold, floor);
   }
 }
+
+namespace detail {
+/// The range of what the numbers of an equation of state make together.
+template <EquationOfState E>
+void ranges_at_rest(const E& eos, const auto& number) {
+  EosState<E, double> state{};
+  const double pressure = begin_eos(eos, state);
+  number("bulk modulus at rest", strike::bulk_modulus(eos, state, 1.0, pressure), range::not_negative,
+         "correct its equation of state");
+}
+}  // namespace detail
 
 }  // namespace strike

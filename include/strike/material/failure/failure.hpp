@@ -4,6 +4,7 @@
 
 #include <strike/material/report.hpp>
 #include <strike/protocol.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -188,6 +189,10 @@ auto fails_now(const F& failure, State& state, const T& equivalent_stress, const
 struct UltimateStress {
   double ultimate_stress;  ///< [stress]
 
+  void ranges(const auto& number) const {
+    number("ultimate_stress", ultimate_stress, range::or_infinite(range::positive));
+  }
+
   template <class T>
   using State = detail::Intact<T>;
   template <class T, class S>
@@ -199,6 +204,10 @@ struct UltimateStress {
 /// Failure when the equivalent plastic strain reaches a limit.
 struct FailureStrain {
   double failure_strain;
+
+  void ranges(const auto& number) const {
+    number("failure_strain", failure_strain, range::or_infinite(range::positive));
+  }
 
   template <class T>
   using State = detail::Intact<T>;
@@ -215,6 +224,8 @@ struct FailureStrain {
 template <FailureCriterion Criterion>
 struct BecomesFluid {
   Criterion criterion;
+
+  void ranges(const auto& number) const { number(criterion); }
 
   template <class T>
   struct State : detail::DamageOf<Criterion, T> {

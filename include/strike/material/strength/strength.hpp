@@ -3,6 +3,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -62,6 +63,8 @@ concept Strength = FlowLaw<S, T> || StrengthWithMemory<S, T> || requires(const S
 /// Hooke's law for the deviator, without plasticity.
 struct ElasticStrength {
   double shear_modulus;  ///< G [stress]
+
+  void ranges(const auto& number) const { number("shear_modulus", shear_modulus, range::positive); }
 
   template <class T>
   SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>& d) const {
