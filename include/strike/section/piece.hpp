@@ -163,7 +163,7 @@ struct Layer {
   [[no_unique_address]] R rule{};
 
   void ranges(const auto& number) const {
-    number(material);
+    number(material), number(rule);
     number("thickness", thickness, range::not_negative);
   }
 
