@@ -19,6 +19,7 @@ namespace strike {
 /// 3. `B(mu)`: the pressure per energy [1], a template over the number; then the state remembers E.
 /// 4. `initial_energy`: E at rest [energy/volume]; needs B(mu).
 /// 5. `pressure_cutoff`: the least pressure [stress]; without it every tension is carried.
+/// 6. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Energy update, sound speed (by dual numbers) and memory follow from these.
 /// Laws: A is smooth but for finitely many mu; the sound speed is real where the equation is used.
 /// Models: LinearEos, CubicEos, PolynomialEos, GruneisenEos, IdealGas, Jwl.

@@ -51,6 +51,7 @@ struct NoFailure {
 /// Optional
 /// 3. `accumulate(state, equivalent_stress, plastic_increment, dt)`: gathers damage before that; needed if State<T>
 ///    holds more than the flag, for nothing else can change it.
+/// 4. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Laws: no stress, no failure; lane i of a pack gives what a double gives.
 /// Models: UltimateStress, FailureStrain, PrincipalStress, TulerButcher, JohnsonCookFailure, BecomesFluid; NoFailure
 /// is the absence of one.
@@ -190,7 +191,7 @@ struct UltimateStress {
   double ultimate_stress;  ///< [stress]
 
   void ranges(const auto& number) const {
-    number("ultimate_stress", ultimate_stress, range::or_infinite(range::positive));
+    number("ultimate_stress", ultimate_stress, range::or_infinite(range::not_negative));
   }
 
   template <class T>
@@ -206,7 +207,7 @@ struct FailureStrain {
   double failure_strain;
 
   void ranges(const auto& number) const {
-    number("failure_strain", failure_strain, range::or_infinite(range::positive));
+    number("failure_strain", failure_strain, range::or_infinite(range::not_negative));
   }
 
   template <class T>

@@ -9,7 +9,7 @@ namespace strike {
 struct PrincipalStress {
   double strength;  ///< [stress]
 
-  void ranges(const auto& number) const { number("strength", strength, range::or_infinite(range::positive)); }
+  void ranges(const auto& number) const { number("strength", strength, range::or_infinite(range::not_negative)); }
 
   template <class T>
   using State = detail::Intact<T>;

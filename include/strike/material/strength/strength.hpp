@@ -26,6 +26,7 @@ namespace strike {
 /// 4. `stiffness(state, J)`: a bound of the tangent's shear modulus, where it may exceed `shear_modulus`.
 /// 5. `State::spatial_tensors()`: a tuple of references to what the element turns.
 /// 6. `warning()`: a text for the user, empty if there is nothing to say.
+/// 7. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Laws: the flow stress is not negative and does not fall with the rate; the stress does no negative plastic work.
 /// Models: VonMises, RateVonMises, PowerHardening, TabulatedHardening, CowperSymonds, JohnsonCook, ZerilliArmstrong,
 /// Sensitive (a); ElasticStrength (b); KinematicHardening, Prony, MooneyRivlin (c).
