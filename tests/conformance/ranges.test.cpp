@@ -1,6 +1,7 @@
 #include "conformance/ranges.hpp"
 
 #include <array>
+#include <limits>
 
 #include <strike/calibrate.hpp>
 #include <strike/verify.hpp>
@@ -176,4 +177,53 @@ TEST_CASE("conformance: wrong numbers of verifiers and fits are refused") {
     return std::isfinite(calibrate::uniaxial_stresses(elastic, std::array{1e-3, 2e-3}, test).back());
   });
   tried.print("verifiers and fits");
+}
+
+TEST_CASE("ranges: the sentence names class, member, value and what is allowed") {
+  using testing::refusal;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(refusal(VonMises{.shear_modulus = 1, .yield_stress = nan}) ==
+        "strike: the yield_stress of VonMises is nan; it must be zero or positive.");
+  CHECK(refusal(LinearEos{.density = 1, .bulk_modulus = 1e300}) ==
+        "strike: the bulk_modulus of LinearEos is 1e+300; it must be positive and at most 1e+100 in size.");
+  CHECK(refusal(Prony<2>{.shear_modulus = 1, .terms = {{.share = .9, .time = 1}, {.share = .2, .time = 1}}}) ==
+        "strike: the terms[1].share of Prony is 0.2; it must be zero or positive and at most 0.1: all shares together "
+        "are at most 1.");
+  CHECK(refusal(DetonationPlane{.place = {0, 0, 0}, .normal = {0, 0, 0}}) ==
+        "strike: the normal of DetonationPlane is (0, 0, 0); it must be finite and not zero.");
+  CHECK(refusal(verify::SweepOptions{.aspects = {1, -2}}) ==
+        "strike: the aspects[1] of SweepOptions is -2; it must be positive.");
+  CHECK(refusal(Layered{Layer{PlaneStress{elastic}, .1},
+                        Layer{PlaneStress{Elastic{.density = 0, .youngs_modulus = 1}}, 1}}) ==
+        "strike: the density of Elastic, in layer 1, is 0; it must be positive.");
+  CHECK(refusal(Fluid{CubicEos{.density = 1, .C1 = 1}, Newtonian{-3}}) ==
+        "strike: the viscosity of Newtonian is -3; it must be zero or positive.");
+}
+
+TEST_CASE("ranges: a sum of shares of one is not refused for its rounding") {
+  CHECK(testing::refusal(
+            Prony<3>{.shear_modulus = 1,
+                     .terms = {{.share = .1, .time = 1}, {.share = .2, .time = 1}, {.share = .7, .time = 1}}}) == "");
+}
+
+namespace {
+
+/// A law of a user's own joins the suite in one line.
+struct Squared {
+  double shear_modulus, factor;
+
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    number("factor", factor, range::not_negative);
+  }
+  template <class T>
+  T flow_stress(const T& e) const {
+    return factor * (1.0 + e * e);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("conformance: wrong numbers of a law of a user's own") {
+  testing::refuses_wrong_numbers(Squared{.shear_modulus = 27e9, .factor = 3e6});
 }

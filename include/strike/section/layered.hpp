@@ -81,10 +81,7 @@ class Layered {
   };
 
   explicit Layered(const Pieces&... pieces) : pieces_{{pieces}...}, shear_(detail::shear_of(pieces...)) {
-    if constexpr (sound) {
-      detail::check_ranges(*this);
-      measure(detail::offset_of(pieces...));
-    }
+    if constexpr (sound) measure(detail::offset_of(pieces...));
   }
 
   void ranges(const auto& number) const {
@@ -305,7 +302,11 @@ class Layered {
     });
   }
 
-  void add_thickness(std::size_t count, double h) { layers_ += count, thickness_ += static_cast<double>(count) * h; }
+  [[gnu::cold]] void add_thickness(std::size_t count, double h) {
+    const detail::RangeCheck number("Layer", detail::joined({", in layer ", std::to_string(layers_), ","}));
+    number("thickness", h, range::not_negative);
+    layers_ += count, thickness_ += static_cast<double>(count) * h;
+  }
 
   detail::List<Pieces...> pieces_;
   detail::List<typename detail::Piece<Pieces>::Measured...> measured_;

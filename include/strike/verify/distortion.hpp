@@ -231,6 +231,7 @@ DistortedElement judged(const E& element, const M& material, const Nodal<double,
 template <class E, class M>
 DistortionSweep distortion_sweep(const E& element, const M& material, const Nodal<double, E::nodes>& corners,
                                  const Distortion& distortion, const SweepOptions& options = {}) {
+  detail::check_ranges(options);
   DistortionSweep sweep{distortion, {}, {}};
   for (const double aspect : options.aspects) {
     const auto at = [&](double amount) {

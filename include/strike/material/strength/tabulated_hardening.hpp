@@ -39,14 +39,15 @@ class TabulatedHardening {
       const Segment& before = segments_[i > 0 ? i - 1 : 0];
       if (i == 0)
         number("plastic_strain" + point, strain, range::between(0, 0),
-               "start with the yield stress, and subtract the elastic strain from the rest");
+               "start at 0 with the yield stress, and subtract the elastic strain from the rest");
       else
         number("plastic_strain" + point, strain, range::above(before.strain),
                "sort the points by their strain, each once");
       number("stress" + point, stress, range::not_negative);
       if (i > 0)
         number("stress" + point, stress, range::above(before.stress - 3 * shear_modulus * (strain - before.strain)),
-               "no step can end where it falls as steeply as 3 G, so spread the fall over more strain");
+               detail::joined({"no step can end where it falls as steeply as 3 G, so spread the fall over more than ",
+                               detail::text((before.stress - stress) / (3 * shear_modulus))}));
     }
   }
   std::string warning() const {
