@@ -18,7 +18,7 @@ struct NoHourglass {
 struct ViscousHourglass {
   double coefficient = 0.1;  ///< Q, usually 0.05 to 0.15; in cubes above 0.125/(step factor) it shortens the step
 
-  void ranges(const auto& number) const { number("coefficient", coefficient, range::share); }
+  void ranges(const auto& number) const { number("coefficient", coefficient, range::between(0, 100)); }
 
   template <class T>
   struct State {};
@@ -49,7 +49,7 @@ struct ViscousHourglass {
 struct StiffnessHourglass {
   double coefficient = 0.005;  ///< kappa, usually 0.001 to 0.01
 
-  void ranges(const auto& number) const { number("coefficient", coefficient, range::share); }
+  void ranges(const auto& number) const { number("coefficient", coefficient, range::between(0, 100)); }
 
   template <class T>
   struct State {

@@ -11,9 +11,9 @@ struct PlateHourglass {
   double membrane = 0.03, bending = 0.03, shear = 0.03;  ///< r, usually 0.01 to 0.05
 
   void ranges(const auto& number) const {
-    number("membrane", membrane, range::share);
-    number("bending", bending, range::share);
-    number("shear", shear, range::share);
+    number("membrane", membrane, range::between(0, 100));
+    number("bending", bending, range::between(0, 100));
+    number("shear", shear, range::between(0, 100));
   }
 
   template <class T>

@@ -114,7 +114,7 @@ struct FreeDrilling {
 struct DrillingStiffness {
   double coefficient = 1e-3;  ///< r
 
-  void ranges(const auto& number) const { number("coefficient", coefficient, range::share); }
+  void ranges(const auto& number) const { number("coefficient", coefficient, range::between(0, 100)); }
 
   template <class T>
   struct State {

@@ -186,7 +186,7 @@ template <EquationOfState E>
 void ranges_at_rest(const E& eos, const auto& number) {
   EosState<E, double> state{};
   const double pressure = begin_eos(eos, state);
-  number("bulk modulus at rest", strike::bulk_modulus(eos, state, 1.0, pressure), range::not_negative,
+  number("bulk modulus at rest", strike::bulk_modulus(eos, state, 1.0, pressure), range::positive,
          "correct its equation of state");
 }
 }  // namespace detail

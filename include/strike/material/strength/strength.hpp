@@ -65,7 +65,7 @@ concept Strength = FlowLaw<S, T> || StrengthWithMemory<S, T> || requires(const S
 struct ElasticStrength {
   double shear_modulus;  ///< G [stress]
 
-  void ranges(const auto& number) const { number("shear_modulus", shear_modulus, range::positive); }
+  void ranges(const auto& number) const { number("shear_modulus", shear_modulus, range::not_negative); }
 
   template <class T>
   SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>& d) const {
