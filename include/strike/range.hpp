@@ -24,27 +24,42 @@
 //     }
 //   };
 //
-// A model made of others names them: number(eos), number(strength). A run, or whatever takes the model, calls
-// `check_ranges` when it begins; steps cost nothing.
+// A model made of others names them: number(eos), number(strength), or with their place number(layer, "layer 1"). Of a
+// list each number is visited: number("properties", properties, range::finite). A fourth argument is advice that ends
+// the sentence. A run, or whatever takes the model, calls `check_ranges` when it begins; steps cost nothing.
 namespace strike {
 
-/// The values that a number may have. NaN is never one of them.
+/// The values that a number may have. NaN is never one of them, and none is larger than `largest` unless it may be
+/// infinite.
 struct Range {
+  static constexpr double largest = 1e100;  ///< the product of three such numbers is still a double
+
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool without_low = true, without_high = true;  ///< the ends themselves are outside
 
   constexpr bool holds(double value) const {
-    return (without_low ? value > low : value >= low) && (without_high ? value < high : value <= high);
+    return (without_low ? value > low : value >= low) && (without_high ? value < high : value <= high) &&
+           !is_too_large(value);
   }
-  /// After "it must be".
+  /// After "it must be", of a value that is outside.
+  [[gnu::cold]] std::string words(double value) const {
+    return detail::joined(
+        {words(), is_too_large(value) ? detail::joined({" and at most ", detail::text(largest), " in size"}) : ""});
+  }
   [[gnu::cold]] std::string words() const {
     using detail::joined, detail::text;
     const bool below = std::isfinite(low), above = std::isfinite(high);
     if (!below && !above) return without_low || without_high ? "finite" : "a number";
+    if (low == high) return text(low);
     std::string words = !above ? "" : joined({below ? " and " : "", without_high ? "below " : "at most ", text(high)});
     if (!below) return words;
     if (low == 0) return joined({without_low ? "positive" : "zero or positive", words});
     return joined({without_low ? "above " : "at least ", text(low), words});
+  }
+
+ private:
+  constexpr bool is_too_large(double value) const {
+    return (value > largest && high > largest && without_high) || (value < -largest && low < -largest && without_low);
   }
 };
 
@@ -110,22 +125,41 @@ class RangeCheck {
 
   template <class Number>
     requires std::convertible_to<Number, double> || std::is_arithmetic_v<Number>
-  void operator()(const char* name, const Number& number, const Range& range) const {
+  void operator()(std::string_view name, const Number& number, const Range& range, std::string_view advice = {}) const {
     const auto value = static_cast<double>(number);
-    if (!range.holds(value)) refuse(name, text(value), range.words());
+    if (!range.holds(value)) refuse(name, text(value), range.words(value), advice);
   }
-  void operator()(const char* name, const Eigen::Vector3d& value, VectorRange range) const {
-    if (!value.allFinite() || (range == VectorRange::not_zero && !(value.norm() > 0)))
-      refuse(name, joined({"(", text(value[0]), ", ", text(value[1]), ", ", text(value[2]), ")"}),
-             range == VectorRange::not_zero ? "finite and not zero" : "finite");
+  /// A list of numbers.
+  template <class Numbers>
+    requires requires(const Numbers& numbers, const RangeCheck& check, const Range& range) {
+      check("", numbers[numbers.size() - 1], range);
+    }
+  void operator()(std::string_view name, const Numbers& numbers, const Range& range,
+                  std::string_view advice = {}) const {
+    for (decltype(numbers.size()) i = 0; i < numbers.size(); ++i)
+      (*this)(joined({name, "[", std::to_string(i), "]"}), numbers[i], range, advice);
   }
-  /// A model in this one.
+  template <class Vector>
+  void operator()(std::string_view name, const Eigen::MatrixBase<Vector>& vector, VectorRange range,
+                  std::string_view advice = {}) const {
+    const auto value = vector.eval();
+    if (value.allFinite() && value.cwiseAbs().maxCoeff() <= Range::largest &&
+        (range == VectorRange::finite || value.norm() > 0))
+      return;
+    std::string components;
+    for (Eigen::Index i = 0; i < value.size(); ++i)
+      components += joined({i == 0 ? "(" : ", ", text(static_cast<double>(value(i)))});
+    refuse(name, components + ")", range == VectorRange::not_zero ? "finite and not zero" : "finite", advice);
+  }
+  /// A model in this one, at a place such as "layer 1".
   template <class Model>
-  void operator()(const Model& model) const;
+  void operator()(const Model& model, std::string_view place = {}) const;
 
  private:
-  [[noreturn, gnu::cold]] void refuse(const char* name, const std::string& value, const std::string& words) const {
-    throw Error(joined({"strike: the ", name, " of ", model_, where_, " is ", value, "; it must be ", words, "."}));
+  [[noreturn, gnu::cold]] void refuse(std::string_view name, const std::string& value, const std::string& words,
+                                      std::string_view advice) const {
+    throw Error(joined({"strike: the ", name, " of ", model_, where_, " is ", value, "; it must be ", words,
+                        advice.empty() ? "" : ": ", advice, "."}));
   }
   std::string model_, where_;
 };
@@ -141,8 +175,8 @@ template <class Model>
     Ranges::call(model, RangeCheck(class_name<Model>(), where));
 }
 template <class Model>
-void RangeCheck::operator()(const Model& model) const {
-  check_ranges(model, where_);
+void RangeCheck::operator()(const Model& model, std::string_view place) const {
+  check_ranges(model, place.empty() ? where_ : joined({where_, where_.empty() ? ", in " : " in ", place, ","}));
 }
 /// The model itself, checked.
 template <class Model>

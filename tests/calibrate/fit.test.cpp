@@ -100,5 +100,6 @@ TEST_CASE("fit: what cannot be fitted is one sentence") {
                         },
                         {{"a", 1}, {"b", 2}}),
                     ContainsSubstring("2 residuals do not determine 2 parameters"));
-  CHECK_THROWS_WITH(fit(Decay{}, {{"a", 1}, {"b", -2}}), ContainsSubstring("begins with 'b' = -2"));
+  CHECK_THROWS_WITH(fit(Decay{}, {{"a", 1}, {"b", -2}}),
+                    ContainsSubstring("the start of Unknown 'b' is -2; it must be positive"));
 }

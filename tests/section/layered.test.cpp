@@ -370,7 +370,7 @@ TEST_CASE("layered: as layers yield, the shear stiffness follows their moduli sl
 TEST_CASE("layered: thicknesses that cannot be are refused") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THROWS_WITH((Layered{Layer{steel, 1.0}, Layer{steel, -1.0}}),
-                    ContainsSubstring("layer 1 of a section has the thickness -1"));
+                    ContainsSubstring("the thickness of Layer, in layer 1, is -1; it must be zero or positive"));
   CHECK_THROWS_WITH((Layered{Layer{steel, 0.0}, Plies{Layer{steel, 1.0}, 0}}), ContainsSubstring("has no thickness"));
 }
 

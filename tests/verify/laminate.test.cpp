@@ -107,6 +107,7 @@ TEST_CASE("laminate: no layer matters by how it is cut, and stresses obey equili
 
 TEST_CASE("laminate: layers that cannot be are refused") {
   CHECK_THROWS_WITH(Laminate({{1, 70000, .3}, {0, 70000, .3}}),
-                    Catch::Matchers::ContainsSubstring("layer 1 of a Laminate has the thickness 0"));
+                    Catch::Matchers::ContainsSubstring(
+                        "the thickness of ElasticLayer, in layer 1 of a Laminate, is 0; it must be positive"));
   CHECK_THROWS_WITH(Laminate({}), Catch::Matchers::ContainsSubstring("has no layer"));
 }

@@ -14,6 +14,7 @@
 
 #include <strike/calibrate/student_t.hpp>
 #include <strike/error.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/text.hpp>
 
@@ -29,12 +30,22 @@ struct Unknown {
   std::string name;
   double start;  ///< the first guess, also the scale: not 0
   Sign sign = Sign::positive;
+
+  void ranges(const auto& number) const {
+    const bool negative = sign == Sign::any && start < 0;
+    number("start", start, negative ? range::below(0) : range::positive, "it is also the scale of the parameter");
+  }
 };
 
 struct FitOptions {
   double tolerance = 1e-8;       ///< of the parameters and of the sum of squares, relative
   std::size_t evaluations = 50;  ///< largest number
   double confidence = 0.95;      ///< the probability of the intervals
+
+  void ranges(const auto& number) const {
+    number("tolerance", tolerance, range::positive);
+    number("confidence", confidence, Range{.low = 0, .high = 1});
+  }
 };
 
 /// Reason for which a fit has stopped.
@@ -85,11 +96,7 @@ class FitFunctor : public Eigen::DenseFunctor<double> {
 
   FitFunctor(Residuals residuals, std::span<const Unknown, N> unknowns)
       : residuals_(std::move(residuals)), unknowns_(unknowns), x_(Vector::Ones(N)) {
-    for (const Unknown& unknown : unknowns_)
-      if (!std::isfinite(unknown.start) || unknown.start == 0 || (unknown.sign == Sign::positive && unknown.start < 0))
-        throw Error(joined({"strike: the fit begins with '", unknown.name, "' = ", text(unknown.start),
-                            ", which gives it no scale; begin with a ",
-                            unknown.sign == Sign::positive ? "positive" : "finite", " value other than 0."}));
+    for (const Unknown& unknown : unknowns_) check_ranges(unknown, joined({" '", unknown.name, "'"}));
     evaluate();
   }
 
@@ -186,6 +193,7 @@ void check_determined(const Eigen::MatrixXd& J, std::span<const Unknown, N> unkn
 /// residual that is not finite; parameters that the data do not determine.
 template <std::size_t N, class Residuals>
 Fit<N> fit(const Residuals& residuals, const Unknown (&unknowns)[N], const FitOptions& options = {}) {
+  detail::check_ranges(options);
   detail::FitFunctor<N> functor(residuals, unknowns);
   Eigen::VectorXd x = Eigen::VectorXd::Ones(N);
   Eigen::LevenbergMarquardt<detail::FitFunctor<N>> search(functor);

@@ -7,6 +7,7 @@
 
 #include <strike/dynamics/method.hpp>
 #include <strike/error.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 #include <strike/verify/material_point.hpp>
 
@@ -16,6 +17,11 @@ namespace strike::calibrate {
 struct UniaxialTest {
   double rate = 1;                  ///< of strain [1/time]
   double largest_increment = 1e-3;  ///< of strain in a step of the material point
+
+  void ranges(const auto& number) const {
+    number("rate", rate, range::positive);
+    number("largest_increment", largest_increment, range::positive);
+  }
 };
 
 /// The Cauchy stresses [stress] of a material in tension, or compression, without stress across, at successive
@@ -25,12 +31,13 @@ struct UniaxialTest {
 template <class M, class T = double>
 std::vector<T> uniaxial_stresses(const M& material, std::span<const double> strains, const UniaxialTest& test,
                                  In<T> number = {}) {
+  detail::check_ranges(test);
   verify::MaterialPoint point{material, number};
   std::vector<T> stresses;
   double before = 0;
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const double change = strains[i] - before;
-    if (!(change * strains[0] > 0))
+    if (!(change * strains[0] > 0) || !std::isfinite(change))
       throw Error(
           detail::joined({"strike: strain ", std::to_string(i), " of a uniaxial test is ", detail::text(strains[i]),
                           " after ", detail::text(before), "; give strains that go one way from 0."}));

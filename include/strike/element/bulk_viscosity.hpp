@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/element/policies.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -9,6 +10,11 @@ namespace strike {
 struct BulkViscosity {
   double quadratic = 1.5;  ///< C0
   double linear = 0.06;    ///< C1
+
+  void ranges(const auto& number) const {
+    number("quadratic", quadratic, range::between(0, 100));
+    number("linear", linear, range::between(0, 100));
+  }
 
   template <class T>
   struct State {

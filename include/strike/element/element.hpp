@@ -80,6 +80,7 @@ struct PointVisitor {
 ///    material, x, v, nodal_volume, dt)` and `State::relative_volume` (strike/element/tet4.hpp).
 /// 9. `resistance(state, material, x, v, dt)`: of a small motion, for GlobalStep (strike/element/hex8_resistance.hpp).
 /// 10. `flows`: true where it gives way to a constant load for ever, of which a relaxation warns.
+/// 11. `ranges(number)`: what its numbers may be (strike/range.hpp); its policies may have it too.
 /// Laws (tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
 /// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
 /// and creates no energy; in a step without time, dt = 0, no work is done. Models: Hex8, Hex8Full, Tet4, Plate4,

@@ -43,6 +43,10 @@ struct Hex8 {
   [[no_unique_address]] Viscosity bulk_viscosity{};
   [[no_unique_address]] Instant instant{};
 
+  void ranges(const auto& number) const {
+    number(hourglass), number(rotation), number(bulk_viscosity), number(instant);
+  }
+
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 8;
   static constexpr bool flows = std::is_same_v<Hourglass, ViscousHourglass>;

@@ -31,6 +31,8 @@ struct Hex8Full {
   [[no_unique_address]] Viscosity bulk_viscosity{};
   [[no_unique_address]] Instant instant{};
 
+  void ranges(const auto& number) const { number(rotation), number(bulk_viscosity), number(instant); }
+
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 8;
   static constexpr std::size_t points = 8;

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include <strike/element/policies.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -16,6 +17,8 @@ struct NoHourglass {
 /// LS-DYNA type 3).
 struct ViscousHourglass {
   double coefficient = 0.1;  ///< Q, usually 0.05 to 0.15; in cubes above 0.125/(step factor) it shortens the step
+
+  void ranges(const auto& number) const { number("coefficient", coefficient, range::between(0, 100)); }
 
   template <class T>
   struct State {};
@@ -45,6 +48,8 @@ struct ViscousHourglass {
 /// Belytschko 1981).
 struct StiffnessHourglass {
   double coefficient = 0.005;  ///< kappa, usually 0.001 to 0.01
+
+  void ranges(const auto& number) const { number("coefficient", coefficient, range::between(0, 100)); }
 
   template <class T>
   struct State {

@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/element/element.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -11,6 +12,11 @@ namespace strike {
 template <class E>
 struct MassScaled : E {
   double step;  ///< [time]
+
+  void ranges(const auto& number) const {
+    number(static_cast<const E&>(*this));
+    number("step", step, range::not_negative);
+  }
 
   template <class M, class T>
   struct State : E::template State<M, T> {

@@ -68,6 +68,8 @@ struct Plate4 {
   [[no_unique_address]] Thickness thickness{};
   [[no_unique_address]] Drilling drilling{};
 
+  void ranges(const auto& number) const { number(hourglass), number(warping), number(thickness), number(drilling); }
+
   using Kinematics = PlateKinematics;
   static constexpr int nodes = 4;
   static constexpr bool turns_nodes = true, projects_shear = Warping::projects_shear;

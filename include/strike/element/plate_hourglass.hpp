@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/element/policies.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -8,6 +9,12 @@ namespace strike {
 ///   membrane r A11 A/8 b.b,   bending r (D + K A/9) A/16 b.b,   across r K h^2/12 b.b.
 struct PlateHourglass {
   double membrane = 0.03, bending = 0.03, shear = 0.03;  ///< r, usually 0.01 to 0.05
+
+  void ranges(const auto& number) const {
+    number("membrane", membrane, range::between(0, 100));
+    number("bending", bending, range::between(0, 100));
+    number("shear", shear, range::between(0, 100));
+  }
 
   template <class T>
   using State = PlateHourglassModes<T>;

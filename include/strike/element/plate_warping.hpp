@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/element/policies.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -112,6 +113,8 @@ struct FreeDrilling {
 /// relaxations, which would not come to rest without it.
 struct DrillingStiffness {
   double coefficient = 1e-3;  ///< r
+
+  void ranges(const auto& number) const { number("coefficient", coefficient, range::between(0, 100)); }
 
   template <class T>
   struct State {

@@ -6,6 +6,7 @@
 #include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/rotation.hpp>
 
 namespace strike {
@@ -58,6 +59,8 @@ struct ElementPressure {};
 /// need some of the tetrahedron's own.
 struct NodalPressure {
   double share = 0.9;  ///< from 0 to 1
+
+  void ranges(const auto& number) const { number("share", share, range::share); }
 };
 
 /// The four-node tetrahedron of constant strain. Policies: the volume of its pressure, rotation of the tensors, bulk
@@ -83,6 +86,8 @@ struct Tet4 {
   [[no_unique_address]] Spin rotation{};
   [[no_unique_address]] Viscosity bulk_viscosity{};
   [[no_unique_address]] Instant instant{};
+
+  void ranges(const auto& number) const { number(pressure), number(rotation), number(bulk_viscosity), number(instant); }
 
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 4;

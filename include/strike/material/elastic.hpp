@@ -2,6 +2,7 @@
 #include <tuple>
 
 #include <strike/material/material.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -10,6 +11,12 @@ struct Elastic {
   double density;         ///< in the undeformed configuration
   double youngs_modulus;  ///< [stress]
   double poissons_ratio = 0;
+
+  void ranges(const auto& number) const {
+    number("density", density, range::positive);
+    number("youngs_modulus", youngs_modulus, range::positive);
+    number("poissons_ratio", poissons_ratio, Range{.low = -1, .high = 0.5});
+  }
 
   using Kinematics = SolidKinematics;
 

@@ -5,6 +5,7 @@
 
 #include <strike/material/eos/eos.hpp>
 #include <strike/material/material.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -26,6 +27,11 @@ struct DetonationPoint {
   Eigen::Vector3d place;
   double time = 0;  ///< of the start
 
+  void ranges(const auto& number) const {
+    number("place", place, range::point);
+    number("time", time, range::finite);
+  }
+
   template <class T>
   T distance(const Vector3<T>& x) const {
     const Vector3<T> r{x(0) - place(0), x(1) - place(1), x(2) - place(2)};
@@ -37,6 +43,12 @@ struct DetonationPoint {
 struct DetonationPlane {
   Eigen::Vector3d place, normal;
   double time = 0;  ///< of the start
+
+  void ranges(const auto& number) const {
+    number("place", place, range::point);
+    number("normal", normal, range::direction);
+    number("time", time, range::finite);
+  }
 
   template <class T>
   T distance(const Vector3<T>& x) const {
@@ -50,6 +62,12 @@ struct Burn {
   double detonation_velocity;  ///< D [length/time]
   double front_width;          ///< w of the burning front, 3 to 6 elements [length]
   double pressure_CJ = 0;      ///< p_CJ of Chapman and Jouguet [stress]; 0: no burning by compression
+
+  void ranges(const auto& number) const {
+    number("detonation_velocity", detonation_velocity, range::positive);
+    number("front_width", front_width, range::positive);
+    number("pressure_CJ", pressure_CJ, range::not_negative);
+  }
 };
 
 /// An explosive (Wilkins 1964; LS-DYNA *MAT_HIGH_EXPLOSIVE_BURN): the pressure is F times that of its products,
@@ -73,6 +91,13 @@ struct Explosive {
   Eos products;
   Start ignition;
   Burn burn;
+
+  void ranges(const auto& number) const {
+    number(products), number(ignition), number(burn);
+    detail::ranges_at_rest(products, number);
+    const double D = burn.detonation_velocity;
+    number("burn.pressure_CJ", burn.pressure_CJ, range::below(products.density * D * D));
+  }
 
   using Kinematics = SolidKinematics;
 

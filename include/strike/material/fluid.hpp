@@ -1,6 +1,7 @@
 #pragma once
 #include <strike/material/eos/eos.hpp>
 #include <strike/material/material.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -10,6 +11,8 @@ struct Inviscid {};
 /// Newtonian viscosity, s = 2 eta dev(D).
 struct Newtonian {
   double viscosity;  ///< eta, dynamic [stress time]
+
+  void ranges(const auto& number) const { number("viscosity", viscosity, range::not_negative); }
 };
 
 /// A fluid: an equation of state, and if it is viscous a viscosity, Inviscid or Newtonian. Its memory is the pressure,
@@ -29,6 +32,11 @@ struct Fluid {
 
   Eos eos;
   [[no_unique_address]] Viscosity viscous{};
+
+  void ranges(const auto& number) const {
+    number(eos), number(viscous);
+    detail::ranges_at_rest(eos, number);
+  }
 
   using Kinematics = SolidKinematics;
 

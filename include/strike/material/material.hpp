@@ -60,6 +60,7 @@ auto moduli_at_rest(const M& material) {
 /// 13. `State::spatial_tensors()`: a tuple of references to the tensors and vectors that the element turns.
 /// 14. `State::internal_energy`: per reference volume; the element adds what shock viscosity dissipates.
 /// 15. `stresses(points, rates, dt)` of a plane material: stress(...) of an array of points at once.
+/// 16. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Laws (tests/conformance): at rest the stress does not grow (but where a viscoelastic one recovers); lane i of a pack
 /// gives what a double gives; a closed cycle of strain gives no energy back; rho c^2 + 2 viscosity/dt bounds the
 /// tangent; in a step without time, dt = 0, the remembered stress stays and a section's normal_rate is finite.

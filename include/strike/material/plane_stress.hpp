@@ -161,6 +161,8 @@ struct PlaneStress {
 
   S solid;
 
+  void ranges(const auto& number) const { number(solid); }
+
   using Kinematics = PlaneStressKinematics;
   using Parts = typename detail::LinearSolid<S>::Parts;
   using Law = decltype(Parts::strength);

@@ -8,6 +8,7 @@
 #include <strike/material/material.hpp>
 #include <strike/material/strength/report.hpp>
 #include <strike/material/strength/strength.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -51,7 +52,10 @@ struct Solid {
   S strength;
   [[no_unique_address]] Failure failure{};
 
-  void ranges(const auto& number) const { number(eos), number(strength), number(failure); }
+  void ranges(const auto& number) const {
+    number(eos), number(strength), number(failure);
+    detail::ranges_at_rest(eos, number);
+  }
 
   using Kinematics = SolidKinematics;
 

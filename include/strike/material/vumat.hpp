@@ -15,6 +15,7 @@
 
 #include <strike/error.hpp>
 #include <strike/material/material.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/pack.hpp>
 #include <strike/tensor/rotation.hpp>
 #include <strike/text.hpp>
@@ -48,9 +49,21 @@ struct VumatOptions {
   Eigen::Vector3d axis_1{1, 0, 0};        ///< of the routine's frame, at rest
   Eigen::Vector3d axis_2{0, 1, 0};        ///< in the plane of its axes 1 and 2
   Real temperature = 0;                   ///< tempOld and tempNew
-  Real characteristic_length =
-      std::numeric_limits<Real>::quiet_NaN();  ///< charLength of every element, if the routine uses it [length]
-  double stiffening = 1;                       ///< largest ratio of later moduli to the first
+  Real characteristic_length = 0;  ///< charLength of every element, if the routine uses it; 0: it gets NaN [length]
+  double stiffening = 1;           ///< largest ratio of later moduli to the first
+
+  void ranges(const auto& number) const {
+    number("density", density, range::positive);
+    number("properties", properties, range::finite);
+    number("initial_variables", initial_variables, range::finite);
+    number("axis_1", axis_1, range::direction);
+    number("axis_2", axis_2, range::direction);
+    number("sine of the angle from axis_1 to axis_2", axis_1.normalized().cross(axis_2.normalized()).norm(),
+           range::at_least(1e-6), "turn one of them");
+    number("temperature", temperature, range::finite);
+    number("characteristic_length", characteristic_length, range::not_negative);
+    number("stiffening", stiffening, range::at_least(1));
+  }
 };
 
 namespace detail {
@@ -130,6 +143,7 @@ class Vumat {
 
   explicit Vumat(VumatOptions<Real> options) : options_(std::move(options)) {
     if (!options_.routine) throw Error("strike: a Vumat has no routine; give it one, such as .routine = vumat_.");
+    detail::check_ranges(options_);
     name_.fill(' ');
     std::copy_n(options_.name.begin(), std::min(options_.name.size(), name_.size()), name_.begin());
     options_.initial_variables.resize(variables);
@@ -219,7 +233,9 @@ class Vumat {
     static constexpr auto spin = detail::repeated<Real, 3 * width>(0);
     const int nblock = width, ndir = 3, nshr = 3, nstatev = states, none = 0;
     const int nprops = static_cast<int>(options_.properties.size());
-    const Number temperature(options_.temperature), length(options_.characteristic_length);
+    const Number temperature(options_.temperature),
+        length(options_.characteristic_length > 0 ? options_.characteristic_length
+                                                  : std::numeric_limits<Real>::quiet_NaN());
     Point<Number> now = old;
     options_.routine(&nblock, &ndir, &nshr, &nstatev, &none, &nprops, &none, &time, &time, &dt, name_.data(),
                      unknown.data(), array(length), options_.properties.data(), array(density), array(strain),

@@ -32,6 +32,8 @@ struct ZeroNormalStress {
 
   S solid;
 
+  void ranges(const auto& number) const { number(solid); }
+
   using Kinematics = PlaneStressKinematics;
   using Inner = std::conditional_t<is_solid, S, Elastic>;
 

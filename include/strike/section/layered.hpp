@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/range.hpp>
 #include <strike/section/piece.hpp>
 #include <strike/section/slots.hpp>
 #include <strike/text.hpp>
@@ -81,6 +82,20 @@ class Layered {
 
   explicit Layered(const Pieces&... pieces) : pieces_{{pieces}...}, shear_(detail::shear_of(pieces...)) {
     if constexpr (sound) measure(detail::offset_of(pieces...));
+  }
+
+  void ranges(const auto& number) const {
+    std::size_t k = 0;
+    const auto visit = [&](const auto& piece) {
+      using P = detail::Piece<std::remove_cvref_t<decltype(piece)>>;
+      if constexpr (P::is_layer)
+        number(piece, detail::joined({"layer ", std::to_string(k)})), k += P::count(piece);
+      else
+        number(piece);
+    };
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (visit(detail::get<i>(pieces_)), ...);
+    }(std::index_sequence_for<Pieces...>{});
   }
 
   double density() const { return integrals_.mass; }
@@ -288,9 +303,8 @@ class Layered {
   }
 
   [[gnu::cold]] void add_thickness(std::size_t count, double h) {
-    if (!(h >= 0))
-      throw Error(detail::joined({"strike: layer ", std::to_string(layers_), " of a section has the thickness ",
-                                  detail::text(h), ": give 0 or more."}));
+    const detail::RangeCheck number("Layer", detail::joined({", in layer ", std::to_string(layers_), ","}));
+    number("thickness", h, range::not_negative);
     layers_ += count, thickness_ += static_cast<double>(count) * h;
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <strike/material/material.hpp>
+#include <strike/range.hpp>
 #include <strike/section/integrals.hpp>
 #include <strike/section/thickness_rule.hpp>
 #include <strike/section/transverse_shear.hpp>
@@ -161,6 +162,11 @@ struct Layer {
   double thickness;  ///< [length]
   [[no_unique_address]] R rule{};
 
+  void ranges(const auto& number) const {
+    number(material), number(rule);
+    number("thickness", thickness, range::not_negative);
+  }
+
   using Material = M;
   using Rule = R;
 };
@@ -174,6 +180,8 @@ template <class L>
 struct Plies {
   L layer;
   std::size_t count;
+
+  void ranges(const auto& number) const { number(layer); }
 };
 template <class L>
 Plies(L, std::size_t) -> Plies<L>;
@@ -181,6 +189,8 @@ Plies(L, std::size_t) -> Plies<L>;
 /// Offset of the middle of a section from the surface of the nodes.
 struct Offset {
   double height;  ///< [length]
+
+  void ranges(const auto& number) const { number("height", height, range::finite); }
 };
 
 namespace detail {

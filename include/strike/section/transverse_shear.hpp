@@ -7,6 +7,7 @@
 #include <string>
 
 #include <strike/material/kinematics.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 #include <strike/text.hpp>
 
@@ -160,6 +161,8 @@ namespace detail {
 struct EnergyShear {
   double length = 0;  ///< half wave in which an error above 5 % is a warning [length]; 0: that of the caller
 
+  void ranges(const auto& number) const { number("length", length, range::not_negative); }
+
   double stiffness(const TransverseShear<double>& shear) const { return shear.stiffness; }
   std::string warning(const TransverseShear<double>& shear, double known_length) const {
     return detail::shear_warning(shear, length > 0 ? length : known_length);
@@ -169,6 +172,8 @@ struct EnergyShear {
 /// K + (1 + phi) p^2 Df: exact for soft layers between stiff ones over half waves of one length.
 struct EffectiveShear {
   double length;  ///< pi/p, the half wave [length]
+
+  void ranges(const auto& number) const { number("length", length, range::positive); }
 
   double stiffness(const TransverseShear<double>& shear) const { return shear.effective_stiffness(length); }
   /// Where layers slide, the shear force that couples them, V D0/D* with K alone, is (1 + phi)/(1 + phi (1 + s)) of
@@ -199,6 +204,12 @@ struct InstantaneousShear {
   double length = 0;    ///< as in EnergyShear
   double floor = 1e-3;  ///< least share of the elastic moduli
   double change = 0.1;  ///< largest relative change of K in a step
+
+  void ranges(const auto& number) const {
+    number("length", length, range::not_negative);
+    number("floor", floor, Range{.low = 0, .high = 1, .without_high = false});
+    number("change", change, Range{.low = 0, .high = 100});
+  }
 
   template <class T>
   struct State {

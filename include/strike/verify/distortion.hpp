@@ -12,6 +12,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/check.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/bisect.hpp>
 #include <strike/verify/eigenmodes.hpp>
 #include <strike/verify/single_element.hpp>
@@ -192,6 +193,13 @@ struct SweepOptions {
   double accuracy = 0.1;       ///< the largest uniform_strain_error of a sound element
   double rounding = 1e-9;      ///< by which the claimed step may exceed the exact one, relative
   double resolution = 1.0e-4;  ///< of the limits, as a share of the largest amount
+
+  void ranges(const auto& number) const {
+    number("aspects", aspects, range::positive);
+    number("accuracy", accuracy, range::or_infinite(range::positive));
+    number("rounding", rounding, range::not_negative);
+    number("resolution", resolution, Range{.low = 0, .high = 1});
+  }
 };
 
 /// The soundness of an element of this shape.
@@ -223,6 +231,7 @@ DistortedElement judged(const E& element, const M& material, const Nodal<double,
 template <class E, class M>
 DistortionSweep distortion_sweep(const E& element, const M& material, const Nodal<double, E::nodes>& corners,
                                  const Distortion& distortion, const SweepOptions& options = {}) {
+  detail::check_ranges(options);
   DistortionSweep sweep{distortion, {}, {}};
   for (const double aspect : options.aspects) {
     const auto at = [&](double amount) {

@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <strike/error.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/bisect.hpp>
 #include <strike/section/transverse_shear.hpp>
 #include <strike/text.hpp>
@@ -23,6 +24,13 @@ struct ElasticLayer {
   double youngs_modulus;
   double poissons_ratio;  ///< < 1/2
   double density = 0;     ///< for frequencies
+
+  void ranges(const auto& number) const {
+    number("thickness", thickness, range::positive);
+    number("youngs_modulus", youngs_modulus, range::positive);
+    number("poissons_ratio", poissons_ratio, Range{.low = -1, .high = 0.5});
+    number("density", density, range::not_negative);
+  }
 
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }
   /// E/(1 - nu^2).
@@ -46,10 +54,7 @@ class Laminate {
   /// Errors: a layer without thickness or stiffness.
   explicit Laminate(std::vector<ElasticLayer> layers) : layers_(std::move(layers)) {
     for (std::size_t k = 0; k < layers_.size(); ++k)
-      if (const auto& [h, E, nu, rho] = layers_[k]; !(h > 0 && E > 0 && nu > -1 && nu < 0.5 && rho >= 0))
-        throw Error(detail::joined({"strike: layer ", std::to_string(k), " of a Laminate has the thickness ",
-                                    detail::text(h), ", Young's modulus ", detail::text(E), " and Poisson's ratio ",
-                                    detail::text(nu), ": give values above 0, and a ratio below 1/2."}));
+      detail::check_ranges(layers_[k], detail::joined({", in layer ", std::to_string(k), " of a Laminate,"}));
     if (layers_.empty()) throw Error("strike: a Laminate has no layer: give at least one.");
   }
 
@@ -172,10 +177,21 @@ struct MindlinPlate {
   double shear_stiffness;  ///< K [force/length]
   double density = 0, rotary_inertia = 0;
 
+  void ranges(const auto& number) const {
+    number("bending", bending, range::positive);
+    number("shear_stiffness", shear_stiffness, range::or_infinite(range::positive));
+    number("density", density, range::not_negative);
+    number("rotary_inertia", rotary_inertia, range::not_negative);
+  }
+
   /// Deflection under sin px.
-  double deflection(double p) const { return 1 / (p * p * p * p * bending) + 1 / (p * p * shear_stiffness); }
+  double deflection(double p) const {
+    detail::check_ranges(*this);
+    return 1 / (p * p * p * p * bending) + 1 / (p * p * shear_stiffness);
+  }
   /// Lowest natural frequency [rad/time], the lower root of (K p^2 - m omega^2) (K + D p^2 - I omega^2) = K^2 p^2.
   double angular_frequency(double p) const {
+    detail::check_ranges(*this);
     const double K = shear_stiffness, B = K + bending * p * p;
     const double a = density * rotary_inertia, b = density * B + rotary_inertia * K * p * p,
                  c = K * p * p * bending * p * p;

@@ -17,6 +17,7 @@
 #include <strike/error.hpp>
 #include <strike/material/material.hpp>
 #include <strike/output/history.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/rotation.hpp>
 #include <strike/verify/path.hpp>
 
@@ -57,6 +58,7 @@ class MaterialPoint {
  public:
   explicit MaterialPoint(M material, R rotation = {}, In<T> = {})
       : material_(std::move(material)), rotation_(std::move(rotation)) {
+    detail::check_ranges(material_);
     if constexpr (requires { material_.begin(now_.state); }) material_.begin(now_.state);
     now_.stress = in_space(material_.stress(std::as_const(now_.state)));
   }
@@ -97,9 +99,8 @@ class MaterialPoint {
   template <class Observer>
   void run(const Path& path, Observer&& observe) {
     for (const Segment& segment : path.segments) {
-      if (!(segment.duration > 0) || segment.steps == 0)
-        throw Error(detail::joined({"strike: a Segment of a path has the duration ", detail::text(segment.duration),
-                                    " and ", std::to_string(segment.steps), " steps: give more than 0 of both."}));
+      detail::check_ranges(segment);
+      if (segment.steps == 0) throw Error("strike: a Segment of a path has no steps: give at least one.");
       const Tensor initial_stress = now_.stress;
       const double dt = segment.duration / static_cast<double>(segment.steps);
       const Matrix3<T> L = segment.velocity_gradient.template cast<T>();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -25,6 +26,11 @@ struct Segment {
   std::size_t steps = 100;
   Matrix3<double> velocity_gradient = Matrix3<double>::Zero();  ///< L [1/time], in the middle of each step
   PrescribedStress stress = {};
+
+  void ranges(const auto& number) const {
+    number("duration", duration, range::positive);
+    number("velocity_gradient", velocity_gradient, range::point);
+  }
 };
 
 /// The strain history of a material point, one segment after the other: `uniaxial_stress({.strain = .1}) + hold(1)`.
@@ -42,15 +48,19 @@ struct Ramp {
   double strain;    ///< logarithmic; of a shear gamma = tan of its angle; negative: the other way
   double rate = 1;  ///< d strain/dt without its sign [1/time]
   std::size_t steps = 100;
+
+  void ranges(const auto& number) const {
+    number("strain", strain, range::finite);
+    number("rate", rate, range::positive);
+  }
 };
 
 namespace detail {
 using namespace strike::detail;
 
 inline Path ramp(const Ramp& ramp, int row, int column, const PrescribedStress& stress = {}) {
-  if (!(ramp.rate > 0) || ramp.strain == 0)
-    throw Error(joined({"strike: a Ramp to the strain ", text(ramp.strain), " at the rate ", text(ramp.rate),
-                        " has no duration: give a strain other than 0 and a rate above 0."}));
+  check_ranges(ramp);
+  if (ramp.strain == 0) throw Error("strike: a Ramp to the strain 0 has no duration: give another strain.");
   Segment segment{.duration = std::abs(ramp.strain) / ramp.rate, .steps = ramp.steps, .stress = stress};
   segment.velocity_gradient(row, column) = std::copysign(ramp.rate, ramp.strain);
   return {{segment}};

@@ -13,6 +13,7 @@
 #include <strike/element/stable_step.hpp>
 #include <strike/error.hpp>
 #include <strike/output/history.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 
 namespace strike::verify {
@@ -91,6 +92,7 @@ class SingleElement {
   /// At rest at the positions X. Errors: no positive mass.
   SingleElement(E element, M material, const Positions& X)
       : element_(std::move(element)), material_(std::move(material)) {
+    detail::check_ranges(element_), detail::check_ranges(material_);
     record_.x = X;
     weigh(element_.begin(state_, material_, X));
     if (!(mass_ > 0))

@@ -17,6 +17,7 @@
 #include <strike/mesh/surface.hpp>
 #include <strike/output/history.hpp>
 #include <strike/output/results.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 #include <strike/verify/distortion.hpp>
 #include <strike/verify/eigenmodes.hpp>
@@ -103,6 +104,14 @@ struct ElementTolerances {
   double stiffness =
       1e-6;  ///< of uniform_strain_error: the rounding of the difference between two steps of a viscous control
   double step = 1e-6;  ///< by which a claimed step may exceed the exact one, relative
+
+  void ranges(const auto& number) const {
+    number("patch", patch, range::or_infinite(range::not_negative));
+    number("rotation", rotation, range::or_infinite(range::not_negative));
+    number("frequency", frequency, range::or_infinite(range::not_negative));
+    number("stiffness", stiffness, range::or_infinite(range::not_negative));
+    number("step", step, range::or_infinite(range::not_negative));
+  }
 };
 
 /// Studies of materials and elements, as printed tables, CSV files, charts and pictures. The exit code of the program
@@ -143,6 +152,7 @@ class Workbench {
                const ElementTolerances& tolerances = {}) {
     std::printf("\n%s\n", name.c_str());
     attempt(name, [&] {
+      detail::check_ranges(options), detail::check_ranges(tolerances);
       const SingleElement single{element, material, corners};
       const std::vector<Eigenmode> modes = eigenmodes(single);
       report(name, modes, tolerances);

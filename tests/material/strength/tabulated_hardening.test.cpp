@@ -94,7 +94,7 @@ TEST_CASE("tabulated hardening: what no table can be is refused in one sentence"
   CHECK(refused({}).find("no points") != std::string::npos);
   CHECK(refused({{.002, 400e6}}).find("start at 0") != std::string::npos);
   CHECK(refused({{0, 400e6}, {.1, 500e6}, {.1, 600e6}}).find("point 2") != std::string::npos);
-  CHECK(refused({{0, 400e6}, {.1, -1}}).find("give 0 or more") != std::string::npos);
-  CHECK(refused({{0, 400e6}, {.1, std::nan("")}}).find("give 0 or more") != std::string::npos);
+  CHECK(refused({{0, 400e6}, {.1, -1}}).find("must be zero or positive") != std::string::npos);
+  CHECK(refused({{0, 400e6}, {.1, std::nan("")}}).find("must be zero or positive") != std::string::npos);
   CHECK(refused({{0, 400e6}, {.1, 500e6}, {.101, 100e6}}).find("more than 0.00166667") != std::string::npos);
 }

@@ -4,6 +4,7 @@
 
 #include <strike/material/report.hpp>
 #include <strike/protocol.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 
 namespace strike {
@@ -18,6 +19,7 @@ namespace strike {
 /// 3. `B(mu)`: the pressure per energy [1], a template over the number; then the state remembers E.
 /// 4. `initial_energy`: E at rest [energy/volume]; needs B(mu).
 /// 5. `pressure_cutoff`: the least pressure [stress]; without it every tension is carried.
+/// 6. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Energy update, sound speed (by dual numbers) and memory follow from these.
 /// Laws: A is smooth but for finitely many mu; the sound speed is real where the equation is used.
 /// Models: LinearEos, CubicEos, PolynomialEos, GruneisenEos, IdealGas, Jwl.
@@ -177,5 +179,16 @@ T bulk_modulus(const E& eos, const State& state, const T& J, const T& pressure) 
     return max(compression * cold, floor);
   }
 }
+
+namespace detail {
+/// The range of what the numbers of an equation of state make together.
+template <EquationOfState E>
+void ranges_at_rest(const E& eos, const auto& number) {
+  EosState<E, double> state{};
+  const double pressure = begin_eos(eos, state);
+  number("bulk modulus at rest", strike::bulk_modulus(eos, state, 1.0, pressure), range::positive,
+         "correct its equation of state");
+}
+}  // namespace detail
 
 }  // namespace strike

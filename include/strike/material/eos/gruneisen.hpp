@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -13,10 +14,22 @@ struct GruneisenEos {
   double density;      ///< rho0, of the reference configuration
   double sound_speed;  ///< c, the intercept of the shock velocity U = c + S1 u [length/time]
   double S1, S2 = 0, S3 = 0;
-  double gamma;               ///< g, the Gruneisen coefficient
-  double a = 0;               ///< first-order volume correction of gamma
-  double initial_energy = 0;  ///< E at rest [energy/volume]
-  double pressure_cutoff = std::numeric_limits<double>::lowest();
+  double gamma;                                                    ///< g, the Gruneisen coefficient
+  double a = 0;                                                    ///< first-order volume correction of gamma
+  double initial_energy = 0;                                       ///< E at rest [energy/volume]
+  double pressure_cutoff = std::numeric_limits<double>::lowest();  ///< least pressure, at most 0 [stress]
+
+  void ranges(const auto& number) const {
+    number("density", density, range::positive);
+    number("sound_speed", sound_speed, range::positive);
+    number("S1", S1, range::between(0, 100));
+    number("S2", S2, range::between(-100, 100));
+    number("S3", S3, range::between(-100, 100));
+    number("gamma", gamma, range::between(0, 100));
+    number("a", a, range::between(-100, 100));
+    number("initial_energy", initial_energy, range::finite);
+    number("pressure_cutoff", pressure_cutoff, range::or_infinite(range::at_most(0)));
+  }
 
   template <class T>
   T A(const T& mu) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -11,6 +12,16 @@ struct Jwl {
   double A_products, B_products;  ///< A and B [stress]
   double R1, R2, omega;           ///< R1, R2 and w [1]
   double initial_energy;          ///< E0, of detonation [energy/volume]
+
+  void ranges(const auto& number) const {
+    number("density", density, range::positive);
+    number("A_products", A_products, range::positive);
+    number("B_products", B_products, range::finite);
+    number("R1", R1, Range{.low = 0, .high = 100});
+    number("R2", R2, Range{.low = 0, .high = 100});
+    number("omega", omega, range::between(0, 10));
+    number("initial_energy", initial_energy, range::not_negative);
+  }
 
   template <class T>
   T A(const T& mu) const {

@@ -1,5 +1,5 @@
 #pragma once
-#include <strike/cxx20.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -7,6 +7,11 @@ namespace strike {
 struct LinearEos {
   double density;       ///< reference density
   double bulk_modulus;  ///< K [stress]
+
+  void ranges(const auto& number) const {
+    number("density", density, range::positive);
+    number("bulk_modulus", bulk_modulus, range::positive);
+  }
 
   template <class T>
   T A(const T& mu) const {

@@ -4,6 +4,7 @@
 
 #include <strike/material/report.hpp>
 #include <strike/protocol.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -50,6 +51,7 @@ struct NoFailure {
 /// Optional
 /// 3. `accumulate(state, equivalent_stress, plastic_increment, dt)`: gathers damage before that; needed if State<T>
 ///    holds more than the flag, for nothing else can change it.
+/// 4. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Laws: no stress, no failure; lane i of a pack gives what a double gives.
 /// Models: UltimateStress, FailureStrain, PrincipalStress, TulerButcher, JohnsonCookFailure, BecomesFluid; NoFailure
 /// is the absence of one.
@@ -188,6 +190,10 @@ auto fails_now(const F& failure, State& state, const T& equivalent_stress, const
 struct UltimateStress {
   double ultimate_stress;  ///< [stress]
 
+  void ranges(const auto& number) const {
+    number("ultimate_stress", ultimate_stress, range::or_infinite(range::not_negative));
+  }
+
   template <class T>
   using State = detail::Intact<T>;
   template <class T, class S>
@@ -199,6 +205,10 @@ struct UltimateStress {
 /// Failure when the equivalent plastic strain reaches a limit.
 struct FailureStrain {
   double failure_strain;
+
+  void ranges(const auto& number) const {
+    number("failure_strain", failure_strain, range::or_infinite(range::not_negative));
+  }
 
   template <class T>
   using State = detail::Intact<T>;
@@ -215,6 +225,8 @@ struct FailureStrain {
 template <FailureCriterion Criterion>
 struct BecomesFluid {
   Criterion criterion;
+
+  void ranges(const auto& number) const { number(criterion); }
 
   template <class T>
   struct State : detail::DamageOf<Criterion, T> {

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include <strike/material/failure/failure.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -16,6 +17,18 @@ struct JohnsonCookFailure {
   double D4 = 0, reference_rate = 1;  ///< r0 [1/time]
   double D5 = 0, initial_temperature = 293, melting_temperature = 1e30;
   double least_strain = 1e-6;  ///< lower bound of e_f
+
+  void ranges(const auto& number) const {
+    number("D1", D1, Range{.low = -D2, .high = 1000}, "without triaxiality the strain at fracture is D1 + D2");
+    number("D2", D2, range::between(-1000, 1000));
+    number("D3", D3, range::between(-20, 20));
+    number("D4", D4, range::between(-1, 1));
+    number("reference_rate", reference_rate, range::positive);
+    number("D5", D5, range::between(-1, 1000));
+    number("initial_temperature", initial_temperature, range::finite);
+    number("melting_temperature", melting_temperature, range::above(initial_temperature));
+    number("least_strain", least_strain, range::positive);
+  }
 
   template <class T>
   struct State : detail::Intact<T>, detail::Damage<T> {};

@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/material/failure/failure.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -7,6 +8,8 @@ namespace strike {
 /// tension.
 struct PrincipalStress {
   double strength;  ///< [stress]
+
+  void ranges(const auto& number) const { number("strength", strength, range::or_infinite(range::not_negative)); }
 
   template <class T>
   using State = detail::Intact<T>;

@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/material/failure/failure.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -14,6 +15,13 @@ struct TulerButcher {
   double strength;       ///< S [stress]
   double duration;       ///< t0 [time]
   double exponent;       ///< k
+
+  void ranges(const auto& number) const {
+    number("threshold", threshold, range::not_negative);
+    number("strength", strength, range::positive);
+    number("duration", duration, range::positive);
+    number("exponent", exponent, Range{.low = 0, .high = 100});
+  }
 
   template <class T>
   struct State : detail::Intact<T>, detail::Damage<T> {};

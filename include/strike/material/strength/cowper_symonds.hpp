@@ -2,6 +2,7 @@
 #include <string>
 
 #include <strike/material/strength/strength.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -14,6 +15,13 @@ struct CowperSymonds {
   double D;  ///< rate that doubles the flow stress [1/time]
   double p;
   double shear_modulus = law.shear_modulus;
+
+  void ranges(const auto& number) const {
+    number(law);
+    number("D", D, range::positive);
+    number("p", p, Range{.low = 0, .high = 100});
+    number("shear_modulus", shear_modulus, range::positive);
+  }
 
   std::string warning() const
     requires requires(Law l) { l.warning(); }

@@ -1,6 +1,7 @@
 #pragma once
 #include <tuple>
 
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -14,6 +15,13 @@ struct KinematicHardening {
   double yield_stress;         ///< Y [stress]
   double hardening_modulus;    ///< H >= 0 [stress]
   double isotropic_share = 0;  ///< b, from 0 to 1
+
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    number("yield_stress", yield_stress, range::not_negative);
+    number("hardening_modulus", hardening_modulus, range::not_negative);
+    number("isotropic_share", isotropic_share, range::share);
+  }
 
   template <class T>
   struct State {

@@ -1,6 +1,7 @@
 #pragma once
 #include <tuple>
 
+#include <strike/range.hpp>
 #include <strike/tensor/rotation.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -14,6 +15,12 @@ namespace strike {
 struct MooneyRivlin {
   double C10, C01 = 0;                     ///< >= 0 [stress]
   double shear_modulus = 2 * (C10 + C01);  ///< at rest [stress]
+
+  void ranges(const auto& number) const {
+    number("C10", C10, range::not_negative);
+    number("C01", C01, range::not_negative);
+    number("shear_modulus", shear_modulus, range::positive);
+  }
 
   template <class T>
   struct State {

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -11,6 +12,13 @@ struct PowerHardening {
   double coefficient;     ///< K [stress]
   double exponent;        ///< n, from 0 to 1
   double initial_strain;  ///< e0 > 0: (Y/K)^(1/n)
+
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    number("coefficient", coefficient, range::not_negative);
+    number("exponent", exponent, range::share);
+    number("initial_strain", initial_strain, range::positive);
+  }
 
   template <class T>
   T flow_stress(const T& e) const {

@@ -2,9 +2,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <tuple>
 
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 
@@ -23,6 +26,17 @@ struct Prony {
 
   double shear_modulus;  ///< G0, instantaneous [stress]
   Term terms[n];
+
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    double left = 1 + 1e-12;  // for the rounding of the sum
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::string term = detail::joined({"terms[", std::to_string(k), "]."});
+      number(term + "share", terms[k].share, range::between(0, left), "all shares together are at most 1");
+      number(term + "time", terms[k].time, range::positive);
+      left -= terms[k].share;
+    }
+  }
 
   template <class T>
   struct State {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -15,6 +16,14 @@ struct RateVonMises {
   double hardening_modulus = 0;  ///< H >= 0 [stress]
   double rate_factor = 0;        ///< C [time^n]
   double rate_exponent = 1;      ///< n > 0
+
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    number("yield_stress", yield_stress, range::not_negative);
+    number("hardening_modulus", hardening_modulus, range::not_negative);
+    number("rate_factor", rate_factor, range::not_negative);
+    number("rate_exponent", rate_exponent, Range{.low = 0, .high = 10});
+  }
 
   template <class T>
   T flow_stress(const T& e, const T& rate) const {

@@ -8,6 +8,7 @@
 
 #include <strike/error.hpp>
 #include <strike/material/strength/strength.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/text.hpp>
 
@@ -88,6 +89,10 @@ class Sensitive : public decltype(detail::heating_of(std::declval<Law>())) {
   /// The law in plain numbers.
   const Law& law() const { return law_; }
 
+  void ranges(const auto& number) const {
+    number(law_);
+    number("shear_modulus", shear_modulus, range::positive);
+  }
   std::string warning() const
     requires requires(Law law) { law.warning(); }
   {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -25,6 +26,7 @@ namespace strike {
 /// 4. `stiffness(state, J)`: a bound of the tangent's shear modulus, where it may exceed `shear_modulus`.
 /// 5. `State::spatial_tensors()`: a tuple of references to what the element turns.
 /// 6. `warning()`: a text for the user, empty if there is nothing to say.
+/// 7. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Laws: the flow stress is not negative and does not fall with the rate; the stress does no negative plastic work.
 /// Models: VonMises, RateVonMises, PowerHardening, TabulatedHardening, CowperSymonds, JohnsonCook, ZerilliArmstrong,
 /// Sensitive (a); ElasticStrength (b); KinematicHardening, Prony, MooneyRivlin (c).
@@ -62,6 +64,8 @@ concept Strength = FlowLaw<S, T> || StrengthWithMemory<S, T> || requires(const S
 /// Hooke's law for the deviator, without plasticity.
 struct ElasticStrength {
   double shear_modulus;  ///< G [stress]
+
+  void ranges(const auto& number) const { number("shear_modulus", shear_modulus, range::not_negative); }
 
   template <class T>
   SymmetricTensor<T> deviatoric_stress(const SymmetricTensor<T>& s, const SymmetricTensor<T>& d) const {

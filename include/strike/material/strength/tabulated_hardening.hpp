@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 #include <strike/text.hpp>
 
@@ -23,32 +24,32 @@ class TabulatedHardening {
   /// as 3 G, the slope at which a stress relaxes.
   TabulatedHardening(double G, const std::vector<Point>& points) : shear_modulus(G) {
     if (points.empty()) throw Error("strike: a TabulatedHardening has no points: give it at least one.");
-    if (points.front().plastic_strain != 0)
-      throw Error(
-          detail::joined({"strike: the first point of a TabulatedHardening is at the plastic strain ",
-                          detail::text(points.front().plastic_strain),
-                          ": start at 0 with the yield stress, and subtract the elastic strain from the rest."}));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto& [strain, stress] = points[i];
-      const auto refuse = [&, here = i](const std::string& what) {
-        throw Error(detail::joined({"strike: point ", std::to_string(here), " of a TabulatedHardening, at the strain ",
-                                    detail::text(points[here].plastic_strain), ", ", what}));
-      };
-      if (!(stress >= 0)) refuse(detail::joined({"has the stress ", detail::text(stress), ": give 0 or more."}));
-      if (i > 0) {
-        const Point& before = points[i - 1];
-        const double width = strain - before.plastic_strain, slope = (stress - before.stress) / width;
-        if (!(width > 0)) refuse("is not beyond the one before: sort the points by their strain, each once.");
-        if (!(slope > -3 * G))
-          refuse(
-              detail::joined({"falls as steeply as 3 G, so that no step can end on it: spread the fall over more than ",
-                              detail::text((before.stress - stress) / (3 * G)), "."}));
-        segments_.back().slope = slope;
-      }
-      segments_.push_back({strain, stress, 0});
-    }
+    for (const auto& [strain, stress] : points) segments_.push_back({strain, stress, 0});
+    detail::check_ranges(*this);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      segments_[i - 1].slope =
+          (points[i].stress - points[i - 1].stress) / (points[i].plastic_strain - points[i - 1].plastic_strain);
   }
 
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      const std::string point = detail::joined({" of point ", std::to_string(i)});
+      const auto& [strain, stress, slope] = segments_[i];
+      const Segment& before = segments_[i > 0 ? i - 1 : 0];
+      if (i == 0)
+        number("plastic_strain" + point, strain, range::between(0, 0),
+               "start at 0 with the yield stress, and subtract the elastic strain from the rest");
+      else
+        number("plastic_strain" + point, strain, range::above(before.strain),
+               "sort the points by their strain, each once");
+      number("stress" + point, stress, range::not_negative);
+      if (i > 0)
+        number("stress" + point, stress, range::above(before.stress - 3 * shear_modulus * (strain - before.strain)),
+               detail::joined({"no step can end where it falls as steeply as 3 G, so spread the fall over more than ",
+                               detail::text((before.stress - stress) / (3 * shear_modulus))}));
+    }
+  }
   std::string warning() const {
     for (const Segment& segment : segments_)
       if (segment.slope < 0)

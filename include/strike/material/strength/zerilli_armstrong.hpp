@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -19,6 +20,20 @@ struct ZerilliArmstrong {
   double reference_rate = 1;         ///< r0 [1/time]
   double initial_temperature = 293;  ///< [temperature]
   double heating = 0;  ///< rise of temperature per plastic work, 0.9/(rho0 c_p) [temperature volume/energy]
+
+  void ranges(const auto& number) const {
+    number("shear_modulus", shear_modulus, range::positive);
+    number("C0", C0, range::not_negative);
+    number("C1", C1, range::not_negative);
+    number("C2", C2, range::not_negative);
+    number("C3", C3, range::not_negative);
+    number("C4", C4, range::not_negative);
+    number("C5", C5, range::not_negative);
+    number("n", n, Range{.low = 0, .high = 10});
+    number("reference_rate", reference_rate, range::positive);
+    number("initial_temperature", initial_temperature, range::positive);
+    number("heating", heating, range::not_negative);
+  }
 
   template <class T>
   T flow_stress(const T& e, const T& rate, const T& temperature) const {
