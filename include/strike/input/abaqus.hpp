@@ -44,6 +44,7 @@ class AbaqusReader {
     }
     skipped_.tell(deck.warnings, " was skipped: ");
     ignored_.tell(deck.warnings, " were ignored: ");
+    values_.tell(deck.warnings, " had no effect: ");
     return deck;
   }
 
@@ -107,11 +108,11 @@ class AbaqusReader {
       if (!is_blank(c)) word += c;
     read(word, name, parameters);
   }
+  static constexpr std::array<std::string_view, 11> known_parameters{
+      "ELSET", "GENERATE", "INPUT", "INSTANCE", "INTERNAL", "NAME", "NSET", "PART", "SYSTEM", "TYPE", "UNSORTED"};
   /// Abaqus takes the first letters of a parameter for it.
   static std::string whole_parameter(std::string key) {
-    constexpr std::array<std::string_view, 11> known{"ELSET", "GENERATE", "INPUT",  "INSTANCE", "INTERNAL", "NAME",
-                                                     "NSET",  "PART",     "SYSTEM", "TYPE",     "UNSORTED"};
-    for (const std::string_view whole : known)
+    for (const std::string_view whole : known_parameters)
       if (key.size() > 2 && whole.starts_with(key)) return std::string(whole);
     return key;
   }
@@ -124,6 +125,11 @@ class AbaqusReader {
     if (const auto input = parameters.find("INPUT");
         input != parameters.end() && is_one_of({"*NODE", "*ELEMENT", "*NSET", "*ELSET", "*SYSTEM", "*HEADING"}))
       source_.refuse({"INPUT=", input->second, " of ", name, " is not followed: put the lines of that file here."});
+
+    if (is_one_of({"*NODE", "*ELEMENT", "*NSET", "*ELSET", "*PART", "*INSTANCE"}))
+      for (const auto& [key, value] : parameters)
+        if (std::find(known_parameters.begin(), known_parameters.end(), key) == known_parameters.end())
+          values_.add(joined({key.substr(0, 40), " of ", name}), source_.line());
 
     if (word == "*HEADING")
       heading();
@@ -423,7 +429,7 @@ class AbaqusReader {
   Eigen::Vector3d system_ = Eigen::Vector3d::Zero();
   Allowance copies_;
   std::string title_ = {};
-  Skipped skipped_ = {}, ignored_ = {};
+  Skipped skipped_ = {}, ignored_ = {}, values_ = {};
 };
 
 }  // namespace detail
