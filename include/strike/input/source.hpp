@@ -227,7 +227,12 @@ class Skipped {
     else if (known->count += count; known->lines.size() < 5 && known->lines.back() != line)
       known->lines.push_back(line);
   }
-  bool empty() const { return kinds_.empty(); }
+  /// The first name with this beginning, and its line; empty if there is none.
+  std::string place_of(std::string_view beginning) const {
+    for (const Kind& kind : kinds_)
+      if (kind.name.starts_with(beginning)) return joined({kind.name, " on line ", std::to_string(kind.lines.front())});
+    return {};
+  }
   /// Adds the warnings: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
   void tell(std::vector<std::string>& all, std::string_view why) const {
     for (const auto& [name, count, lines] : kinds_) {
