@@ -35,12 +35,12 @@ class AbaqusReader {
     deck.title = std::move(title_);
     for (const auto& [key, part] : parts_) {
       if (part.is_placed || part.raw.elements.empty()) continue;
-      const std::string sentence = joined({"part ", shown(part.name), " has no instance"});
       if (deck.cell_numbers.empty())
-        source_.refuse(part.line,
-                       {sentence, ", and nothing else is in the mesh: write *INSTANCE, PART=", part.name, "."});
-      deck.warnings.push_back(joined({"Elements of ", sentence, " (", std::to_string(part.raw.elements.size()),
-                                      ") are not in the mesh: line ", std::to_string(part.line), "."}));
+        source_.refuse(part.line, {"part ", shown(part.name), " has no instance, and nothing else is in the mesh: ",
+                                   "write *INSTANCE, PART=", part.name, "."});
+      deck.warnings.push_back(
+          joined({"Part ", shown(part.name), " (elements: ", std::to_string(part.raw.elements.size()),
+                  ") has no instance and was dropped: line ", std::to_string(part.line), "."}));
     }
     skipped_.tell(deck.warnings, " was skipped: ");
     ignored_.tell(deck.warnings, " were ignored: ");
@@ -391,7 +391,8 @@ class AbaqusReader {
     RawMesh& to = all_.raw;
     std::size_t count = from.nodes.size() + from.elements.size() + from.ignored_elements.size();
     for (const auto* sets : {&from.node_sets, &from.element_sets})
-      for (const RawMesh::Set& set : *sets) count += 4 + set.sequences.size() + set.others.size();
+      for (const RawMesh::Set& set : *sets)
+        count += 4 + set.sequences.size() + set.others.size() + (name.size() + set.name.size()) / 16;
     copies_.take(count, source_.line());
     for (RawMesh::Node node : from.nodes) {
       node.number += scope;

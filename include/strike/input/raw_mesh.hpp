@@ -58,16 +58,18 @@ class Numbering {
     if (first < first_) first += (first_ - first + step - 1) / step * step;
     last = std::min(last, last_);
     if (first > last) return;
-    if (!table_.empty()) {
-      visits(static_cast<std::size_t>((last - first) / step + 1));
+    const auto steps = static_cast<std::size_t>((last - first) / step + 1);
+    const auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(first, 0));
+    const auto end = std::upper_bound(place, sorted_.end(), std::pair<FileNumber, Index>(last, nothing));
+    const auto listed = static_cast<std::size_t>(end - place);
+    if (!table_.empty() || steps < listed) {
+      visits(steps);
       for (FileNumber n = first; n <= last; n += step)
         if (const Index i = find(n); i != nothing) f(i);
     } else {
-      auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(first, 0));
-      const auto end = std::upper_bound(place, sorted_.end(), std::pair<FileNumber, Index>(last, nothing));
-      visits(static_cast<std::size_t>(end - place));
-      for (; place != end; ++place)
-        if ((place->first - first) % step == 0) f(place->second);
+      visits(listed);
+      for (auto next = place; next != end; ++next)
+        if ((next->first - first) % step == 0) f(next->second);
     }
   }
   /// A place whose number occurs before it, or `nothing`.

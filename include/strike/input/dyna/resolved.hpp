@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -30,7 +31,10 @@ class Lookup {
       mesh_.allowance.take(more.size(), line);
       nodes.insert(nodes.end(), more.begin(), more.end());
     };
-    for (const Choice& choice : choices) switch (choice.named) {
+    std::set<std::pair<Named, FileNumber>> seen;
+    for (const Choice& choice : choices) {
+      if (choice.named != Named::node && !seen.emplace(choice.named, choice.number).second) continue;
+      switch (choice.named) {
         case Named::all:
           add(all_nodes(deck_.mesh.nodes), choice.line);
           break;
@@ -47,6 +51,7 @@ class Lookup {
             add(deck_.cells(cells).nodes(), choice.line);
           }
       }
+    }
     return ascending(std::move(nodes));
   }
   /// The places of a part, or of the parts of a set.
