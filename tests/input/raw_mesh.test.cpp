@@ -135,7 +135,7 @@ TEST_CASE("raw mesh: instances of large parts without end end in a sentence") {
         read_abaqus("*PART, NAME=p\n*NODE\n" + lines(n / 2, [](const std::string& i, int) { return i + "\n"; }) +
                         "*END PART\n" +
                         lines(n / 2, [](const std::string& i,
-                                        int) { return "*INSTANCE, NAME=i" + i + ", PART=p\n*END INSTANCE\n"; }),
+                                        int) { return "*INSTANCE,NAME=i" + i + ",PART=p\n*ENDINSTANCE\n"; }),
                     "a.inp"),
         too_much);
   };

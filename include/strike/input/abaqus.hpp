@@ -354,7 +354,7 @@ class AbaqusReader {
       source_.refuse({"instance ", shown(name), " is there twice: give each a name of its own."});
     if (scopes_.size() > 1000000) source_.refuse({"there are more than a million instances: merge some."});
 
-    instance_.emplace(name, &part->second, scope);
+    instance_ = Instance{.name = name, .part = &part->second, .scope = scope};
     std::string_view line;
     if (data(line)) instance_->shift = vector(line, "a coordinate of the instance");
     if (data(line)) {
@@ -387,7 +387,9 @@ class AbaqusReader {
   }
   /// Copies a mesh to the last part.
   void place(const RawMesh& from) {
-    const auto& [name, part, scope, shift, centre, turn, own] = *instance_;
+    const std::string& name = instance_->name;
+    const FileNumber scope = instance_->scope;
+    const bool turns = !instance_->turn.isIdentity(0);
     RawMesh& to = all_.raw;
     std::size_t count = from.nodes.size() + from.elements.size() + from.ignored_elements.size();
     for (const auto* sets : {&from.node_sets, &from.element_sets})
@@ -396,8 +398,8 @@ class AbaqusReader {
     copies_.take(count, source_.line());
     for (RawMesh::Node node : from.nodes) {
       node.number += scope;
-      node.x += shift;
-      if (!turn.isIdentity(0)) node.x = centre + turn * (node.x - centre);
+      node.x += instance_->shift;
+      if (turns) node.x = instance_->centre + instance_->turn * (node.x - instance_->centre);
       to.nodes.push_back(node);
     }
     for (RawMesh::Element element : from.elements) {
