@@ -441,8 +441,8 @@ class AbaqusReader {
 /// parts too; sets within a part are called "instance.set". C3D8, C3D4, S4, S3 and their kinds (C3D8R, ...) are read,
 /// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; elements of other types are ignored with a
 /// warning, keywords that do not describe a mesh are skipped with a warning. `name` is the file in messages. Errors:
-/// `*INCLUDE`; solids or shells of higher order, wedges; text in the place of a number; a number given twice; a node,
-/// set, part or instance that is not there.
+/// `*INCLUDE` and INPUT=; keywords that make nodes or elements (`*NGEN`, `*ELGEN`, ...); solids or shells of higher
+/// order, wedges; text in the place of a number; a number given twice; a node, set, part or instance that is not there.
 inline Deck read_abaqus(std::string_view text, const std::string& name) {
   return detail::within_memory(name, [&] { return detail::AbaqusReader(detail::Source(text, name)).read(); });
 }
