@@ -77,12 +77,81 @@ TEST_CASE("abaqus: parts are placed by instances, with their sets") {
   CHECK(deck.nodes("mixed") == std::vector<Index>{7, 8, 9, 10, 11});
 }
 
+TEST_CASE("abaqus: an instance may define its own mesh, which is placed with it") {
+  const Deck deck = read("*PART, NAME=p\n*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=i, PART=p\n0, 0, 5\n" + cube +
+                         "*ELEMENT, TYPE=C3D8, ELSET=own\n1,1,2,3,4,5,6,7,8\n*NSET, NSET=foot\n1,2\n*END INSTANCE\n"
+                         "*NSET, NSET=foot\n1000\n*NSET, NSET=low, INSTANCE=i\nfoot, 3\n*NODE\n1000, 9\n"
+                         "*END ASSEMBLY\n");
+  CHECK(deck.part("i").hexahedra.size() == 1);
+  CHECK(deck.mesh.nodes[0] == Eigen::Vector3d(0, 0, 5));
+  CHECK(deck.nodes("i.foot") == std::vector<Index>{0, 1});
+  CHECK(deck.nodes("low") == std::vector<Index>{0, 1, 2});  // the foot of the instance, not the other
+}
+
+TEST_CASE("abaqus: a system shifts the nodes that follow it in its part") {
+  const std::string shell = "*ELEMENT, TYPE=S4\n1,1,2,3,4\n";
+  const Deck deck = read("*SYSTEM\n100, 0, 5\n*NODE\n1,0,0,0\n2,1,0,0\n*SYSTEM\n*NODE\n3,1,1,0\n4,0,1,0\n" + shell);
+  CHECK(deck.mesh.nodes[0] == Eigen::Vector3d(100, 0, 5));
+  CHECK(deck.mesh.nodes[1] == Eigen::Vector3d(101, 0, 5));
+  CHECK(deck.mesh.nodes[2] == Eigen::Vector3d(1, 1, 0));
+  const Deck two = read("*PART, NAME=p\n*SYSTEM\n1,2,3\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n" + shell +
+                        "*END PART\n*INSTANCE, NAME=i, PART=p\n*END INSTANCE\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n"
+                        "4,0,1,0\n" +
+                        shell);
+  CHECK(two.mesh.nodes[0] == Eigen::Vector3d(1, 2, 3));
+  CHECK(two.mesh.nodes[4] == Eigen::Vector3d(0, 0, 0));
+}
+
+TEST_CASE("abaqus: a set is as long as it was where another names it") {
+  const Deck deck = read(cube +
+                         "*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n*NSET, NSET=a\n1\n*NSET, NSET=b\na, 2\n"
+                         "*NSET, NSET=A\nb, a, 3\n*NSET, NSET=a\n4\n*NSET, NSET=c, GEN\n1, 8, 3\n1, 8, 3\n");
+  CHECK(deck.nodes("a") == std::vector<Index>{0, 1, 2, 3});
+  CHECK(deck.nodes("b") == std::vector<Index>{0, 1});
+  CHECK(deck.nodes("c") == std::vector<Index>{0, 3, 6});  // GEN is GENERATE
+  CHECK(deck.node_sets.size() == 4);
+}
+
+TEST_CASE("abaqus: what has no place in the mesh is told") {
+  const Deck deck = read("*PART, NAME=spare\n" + cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n*ENDPART\n" + cube +
+                         "*ELEMENT, TYPE=C3D8, COLOUR=2\n1,1,2,3,4,5,6,7,8\n*ELEMENT, TYPE=B31\n2,1,2\n3,2,3\n"
+                         "*ELEMENT, TYPE=COH3D8\n4,1,2,3,4,\n5,6,7,8\n*NSET, NSET=n, ELSET=all\n");
+  CHECK(deck.mesh.hexahedra.size() == 1);
+  CHECK(deck.warnings == std::vector<std::string>{
+                             "Part 'spare' (elements: 1) has no instance and was dropped: line 1.",
+                             "*NSET with ELSET (1) was skipped: line 31.",
+                             "Elements of type B31 (2) were ignored: lines 26, 27.",
+                             "Elements of type COH3D8 (1) were ignored: line 29.",
+                             "COLOUR of *ELEMENT (1) had no effect: line 23.",
+                         });
+}
+
 TEST_CASE("abaqus: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
     CHECK_THROWS_WITH(read(text), ContainsSubstring("strike: the file 'a.inp', line ") && ContainsSubstring(sentence));
   };
   refused("", "the file has no keyword");
   refused("*INCLUDE, INPUT=b.inp\n", "line 1: *INCLUDE is not followed: put the text of that file here.");
+  for (const char* card :
+       {"*NODE", "*ELEMENT, TYPE=S4", "*NSET, NSET=a", "*ELSET, ELSET=a", "*SYSTEM", "*NODE, NSET=a"})
+    refused(cube + card + ", INPUT=more.txt\n", "is not followed: put the lines of that file here.");
+  refused(cube + "*NSET, NSET=a, INPUT=b.txt\n", "line 10: INPUT=b.txt of *NSET is not followed");
+  for (const char* keyword : {"*NGEN", "*NFILL", "*NCOPY", "*NMAP", "*ELGEN", "*ELCOPY", "*IMPORT"})
+    refused(cube + keyword + "\n1,2,3\n",
+            std::string("line 10: ") + keyword + " makes nodes or elements and is not read");
+  refused("*SYSTEM\n0,0,0,1,0,0\n0,1,0\n", "line 2: the system is turned, which is not read");
+  refused("*SYSTEM\n0,0,0\n0,1,0\n", "line 3: the system is turned, which is not read");
+  refused("*PART, NAME=p\n" + cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n*END PART\n",
+          "line 1: part 'p' has no instance, and nothing else is in the mesh: write *INSTANCE, PART=p.");
+  refused("*PART, NAME=p\n*END PART\n*INSTANCE, NAME=i, PART=p\n",
+          "instance 'i' has no end: write *END INSTANCE before the end of the file.");
+  refused("*END INSTANCE\n", "no instance ends here");
+  refused("*PART, NAME=p\n*END PART\n*INSTANCE, NAME=i, INSTANCE=j\n",
+          "an instance of an earlier analysis is not read");
+  refused(cube + "*NSET, NSET=a, GENERATE\n5, 1\n", "line 11: the range from 5 to 1 is empty");
+  refused(cube + "*NSET, NSET=a, GENERATE\n1, 5, 0\n", "line 11: the step of a range 0 is out of bounds");
+  refused(cube + "*NSET, NSET=a, GENERATE\n1, 5, 1, 7\n", "line 11: a range has more than three numbers");
+  refused("*NODE\n1, 0, <x>, 0\n", "line 2: the coordinate '<x>' is a parameter, which is not replaced");
   refused("*NODE\n1, 0, zero, 0\n", "line 2: the coordinate 'zero' is no number");
   refused("*NODE\n1.5, 0, 0, 0\n", "line 2: the number of a node '1.5' is no whole number");
   refused("*NODE\n-1, 0, 0, 0\n", "line 2: the number of a node -1 is out of bounds");

@@ -244,6 +244,56 @@ TEST_CASE("dyna cards: supports, velocities, walls and contacts name nodes and p
   CHECK(deck.warnings.empty());
 }
 
+TEST_CASE("dyna cards: a zero or a blank is the default of LS-DYNA") {
+  const std::string zero = "0", blank = "";
+  for (const std::string& none : {zero, blank}) {
+    const std::string two_none = none + "," + none;
+    const DynaDeck deck =
+        read(two + "*PART\np\n1,1,1,1,1\n*SECTION_SHELL\n1," + two_none + "," + none + "\n2.0\n*HOURGLASS\n1," +
+             two_none + "," + none + "," + two_none + "," + two_none + "\n*CONTROL_BULK_VISCOSITY\n" + two_none +
+             "\n*CONTROL_TIMESTEP\n" + two_none + "\n*MAT_JOHNSON_COOK\n1,1,1\n1,1,1,1,1,2,0," + none + "\n");
+    CHECK(deck.section("p").element_form == 2);
+    CHECK(deck.section("p").shear_factor == 1);
+    CHECK(deck.section("p").points == 2);
+    CHECK(deck.section("p").corner_thickness == std::array{2.0, 2.0, 2.0, 2.0});
+    CHECK(deck.hourglass("p").type == 1);
+    CHECK(deck.hourglass("p").coefficient == 0.1);
+    CHECK(deck.hourglass("p").quadratic == 1.5);
+    CHECK(deck.hourglass("p").linear == 0.06);
+    CHECK(deck.hourglass("p").bending == 0.1);
+    CHECK(deck.hourglass("p").warping == 0.1);
+    CHECK(deck.bulk_viscosity == std::array{1.5, 0.06});
+    CHECK(deck.step_factor == 0.9);
+    CHECK(deck.material<JohnsonCookMaterial>("p").strength.reference_rate == 1);
+  }
+}
+
+TEST_CASE("dyna cards: a line of zeros supports nothing, and a user's section is one section") {
+  const DynaDeck deck = read(two + R"(*SET_NODE_LIST
+1
+1,2
+*BOUNDARY_SPC_SET
+         0         0         0         0         0         0         0         0
+         1         0         1         1         1         0         0         0
+*SECTION_SOLID
+         1       101
+         2         0         0         0         9
+       .25       .25       .25       1.0
+       .75       .75       .75       1.0
+       1.0       2.0       3.0       4.0       5.0       6.0       7.0       8.0
+       9.0
+         2         1
+)");
+  REQUIRE(deck.supports.size() == 1);
+  CHECK(deck.supports[0].nodes == std::vector<Index>{0, 1});
+  REQUIRE(deck.sections.size() == 2);
+  CHECK(deck.sections[0].element_form == 101);
+  CHECK(deck.sections[1].number == 2);
+  CHECK(deck.warnings == std::vector<std::string>{
+                             "The element of the user of *SECTION_SOLID (1) had no effect: line 19.",
+                         });
+}
+
 TEST_CASE("dyna cards: values without a counterpart are listed") {
   const DynaDeck deck = read(two + R"(*MAT_PLASTIC_KINEMATIC
 1,1,1,0,1,.1
@@ -289,6 +339,12 @@ TEST_CASE("dyna cards: what is wrong is told with its line") {
   refused("*MAT_ELASTIC\n1,1\n", "line 12: E is not positive");
   refused("*MAT_ELASTIC\n1,1,1,.5\n", "line 12: PR is not between -1 and 0.5: correct it.");
   refused("*MAT_PLASTIC_KINEMATIC\n1,1,1,0,1,2\n", "ETAN is not below E");
+  const std::string curve =
+      "SIGY is 0, and the curve in its place is not read: give the material its SIGY and tangent.";
+  refused("*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1,1\n0,0,7\n", curve);
+  refused("*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1,1\n0\n0,.1\n1,2\n", curve);
+  refused("*MAT_ELASTIC_PLASTIC_HYDRO\n1,1,1\n0,.1\n\n1,2\n", curve);
+  refused("*BOUNDARY_SPC_SET\n0,0,1\n", "line 12: a support has no NSID: give it one.");
   refused("*MAT_JOHNSON_COOK\n1,1\n", "G is not positive: give the material its G, or E and PR.");
   refused("*EOS_GRUNEISEN\n1,x\n", "line 12: C 'x' is no number");
   refused("*RIGIDWALL_PLANAR\n0\n1,1,1,1,1,1\n", "the normal of the wall has no length");

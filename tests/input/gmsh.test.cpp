@@ -54,12 +54,39 @@ TEST_CASE("gmsh: version 4.1 with entities in two groups and parametric nodes") 
       "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"all\"\n2 2 \"left\"\n$EndPhysicalNames\n"
       "$Entities\n1 1 2 0\n1 0 0 0 0\n1 0 0 0 1 0 0 0 2 1 -1\n1 0 0 0 1 1 0 2 1 2 1 1\n2 0 0 0 1 1 0 1 1 0\n"
       "$EndEntities\n$Nodes\n2 5 1 5\n2 1 1 3\n1\n2\n3\n0 0 0 .1 .2\n1 0 0 .1 .2\n1 1 0 .1 .2\n2 2 0 2\n4\n5\n"
-      "0 1 0\n2 0 0\n$EndNodes\n$Elements\n2 3 1 3\n2 1 3 1\n1 1 2 3 4\n2 2 2 1\n2 2 5 3\n$EndElements\n");
+      "0 1 0\n2 0 0\n$EndNodes\n$Elements\n2 2 1 2\n2 1 3 1\n1 1 2 3 4\n2 2 2 1\n2 2 5 3\n$EndElements\n");
   CHECK(deck.mesh.quadrilaterals == Cells<4>{{0, 1, 2, 3}, {1, 4, 2, 2}});
   CHECK(deck.part("all").quadrilaterals.size() == 2);
   CHECK(deck.part("left").quadrilaterals == Cells<4>{{0, 1, 2, 3}});
   CHECK(deck.nodes("left") == std::vector<Index>{0, 1, 2, 3});
   CHECK(deck.warnings.empty());
+}
+
+TEST_CASE("gmsh: a group that is listed twice holds its elements once") {
+  const std::string nodes =
+      "$Nodes\n1 8 1 8\n3 1 0 8\n1\n2\n3\n4\n5\n6\n7\n8\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n"
+      "0 1 1\n$EndNodes\n$Elements\n1 1 1 1\n3 1 5 1\n1 1 2 3 4 5 6 7 8\n$EndElements\n";
+  for (const char* entities : {"0 0 0 1\n1 0 0 0 0 0 0 2 7 7 0\n", "0 0 0 1\n1 0 0 0 0 0 0 3 7 -7 7 0\n",
+                               "0 0 0 2\n1 0 0 0 0 0 0 1 7 0\n1 0 0 0 0 0 0 1 7 0\n"}) {
+    const Deck deck =
+        read(std::string("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n") + entities + "$EndEntities\n" + nodes);
+    CHECK(deck.part(7).hexahedra.size() == 1);
+    CHECK(deck.parts.size() == 1);
+  }
+}
+
+TEST_CASE("gmsh: version 2 writes an element once for each of its groups, which is one element") {
+  const Deck deck = read(
+      "$MeshFormat\n2.1 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n2 1 \"left\"\n2 2 \"all\"\n2 3 \"other\"\n"
+      "$EndPhysicalNames\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 2 0 0\n6 2 1 0\n$EndNodes\n"
+      "$Elements\n5\n1 3 2 1 1 1 2 3 4\n2 3 2 2 1 1 2 3 4\n3 3 2 2 2 2 5 6 3\n4 3 2 -3 3 2 5 6 3\n"
+      "5 3 2 2 1 1 2 3 4\n$EndElements\n");
+  CHECK(deck.mesh.quadrilaterals.size() == 3);  // two entities may lie on each other
+  CHECK(deck.part("left").quadrilaterals == Cells<4>{{0, 1, 2, 3}});
+  CHECK(deck.part("all").quadrilaterals == Cells<4>{{0, 1, 2, 3}, {1, 4, 5, 2}});
+  CHECK(deck.part("other").quadrilaterals == Cells<4>{{1, 4, 5, 2}});  // -3: turned over
+  CHECK(deck.nodes("left") == std::vector<Index>{0, 1, 2, 3});
+  CHECK(deck.cell_numbers == std::vector<FileNumber>{1, 3, 4});
 }
 
 TEST_CASE("gmsh: what is wrong is told with its line") {
@@ -79,6 +106,20 @@ TEST_CASE("gmsh: what is wrong is told with its line") {
   refused(head + "$Nodes\n1\n1 0 0", "the file ends where the coordinate should stand");
   refused(head + "$Nodes\n0\n", "the section $Nodes has no end");
   const std::string nodes = head + "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n1\n";
+  refused(nodes + "1 4 2 1 1 1 2 3 4\n2 4 2 1 1 1 2 3 4\n$EndElements\n",
+          "line 14: section $Elements holds '2 4 2 1 1 1 2 3 4' after as much as its counts say");
+  refused(head + "$Nodes\n-1\n$EndNodes\n", "line 5: the count of nodes -1 is negative");
+  refused(head + "$Nodes\n1\n1 0 0 0 0\n$EndNodes\n", "line 6: section $Nodes holds '0' after");
+  refused(head + "$Elements\n-3\n$EndElements\n", "line 5: the count of elements -3 is negative");
+  refused(nodes + "1 4 -1 1 2 3 4\n$EndElements\n", "line 13: the count of tags -1 is negative");
+  refused(head + "$PhysicalNames\n1\n2 1 foot\n$EndPhysicalNames\n", "line 6: group 1 has no name between quotes");
+  refused(head + head, "line 5: the format is there twice");
+  const std::string head4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+  refused(head4 + "$Nodes\n1 2 1 2\n3 1 0 1\n1\n0 0 0\n$EndNodes\n",
+          "line 8: the section announces 2 nodes and has 1: save the file from gmsh again.");
+  refused(head4 + "$Elements\n0 1 1 1\n$EndElements\n", "line 5: the section announces 1 elements and has 0");
+  refused(head4 + "$Entities\n0 0 0 1\n1 0 0 0 0 0 0 -2 0\n$EndEntities\n",
+          "line 6: the count of groups -2 is negative");
   refused(nodes + "1 4 2 1 1 1 2 3 5\n$EndElements\n", "line 13: element 1 names node 5, which is not in the file");
   refused(nodes + "1 4 2 1 1 1 2 3 3\n$EndElements\n", "element 1 has 3 different corners of 4");
   refused(nodes + "1 6 2 1 1 1 2 3 4 5 6\n$EndElements\n",

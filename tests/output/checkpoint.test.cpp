@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -51,14 +52,16 @@ auto bird_strike(Index cells = 5) {
 }
 
 /// A bar on a wall, elements in single precision, under the step of the mesh.
-auto bar(Index layers = 6) {
+template <class... Policies>
+auto bar(Index layers, const Policies&... policies) {
   const Mesh mesh = box({.size = {2, 2, 6}, .cells = {2, 2, layers}});
   const auto top = nodes_where(mesh.nodes, on_plane(Axis::z, 6));
   return Explicit{Scene{mesh.nodes, Part{Hex8{}, Solid{copper_eos, copper_strength}, mesh.hexahedra},
                         InitialVelocity{{0, 0, -227}}, Symmetry{Axis::x, nodes_where(mesh.nodes, on_plane(Axis::x, 0))},
                         RigidWall{{0, 0, 0}, {0, 0, 1}, 0.1}, NodalForce{{0, 0, -0.1}, top, Curve{{{0, 0}, {1, 1}}}}},
-                  ExplicitOptions{}, in<Pack<float>, double>, GlobalStep{}};
+                  ExplicitOptions{}, in<Pack<float>, double>, policies...};
 }
+auto bar(Index layers = 6) { return bar(layers, GlobalStep{}); }
 
 constexpr std::size_t none = std::string::npos;
 /// Where two files differ first.
@@ -103,6 +106,16 @@ struct Own {
     archive(a, rows);
   }
   bool operator==(const Own&) const = default;
+};
+
+struct Moving {
+  std::vector<Eigen::Vector3d> x = {};
+  const std::vector<Eigen::Vector3d>& positions() const { return x; }
+  const std::vector<Eigen::Vector3d>& velocities() const { return x; }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(x);
+  }
 };
 
 }  // namespace
@@ -200,6 +213,19 @@ TEST_CASE("checkpoint: what is not whole, foreign or of another scene is refused
   write_checkpoint(path, run);
   auto another = bar(5);
   CHECK_THROWS_WITH(read_checkpoint(path, another), ContainsSubstring("is of another scene"));
+
+  auto relaxed = bar(6, GlobalStep{}, DynamicRelaxation{});
+  auto plain = bar(6);
+  CHECK_THROWS_WITH(read_checkpoint(path, relaxed), ContainsSubstring("is of another scene"));
+  write_checkpoint(folder / "relaxed", relaxed);
+  CHECK_THROWS_WITH(read_checkpoint(folder / "relaxed", plain), ContainsSubstring("is of another scene"));
+
+  const std::string before = content_of(path);
+  Moving lost{.x = {{0, 0, 0}, {0, std::nan(""), 0}}};
+  CHECK_THROWS_WITH(write_checkpoint(path, lost),
+                    "strike: the position of node 1 is not finite, so that the checkpoint '" + path +
+                        "' is not written: go on from the one before.");
+  CHECK(content_of(path) == before);
 }
 
 TEST_CASE("checkpoint: a run that is killed at any moment, again and again, leaves the files of one that was not") {

@@ -30,6 +30,33 @@ TEST_CASE("a file that cannot be written is an error in one sentence") {
         "strike: the file '/dev/full' cannot be written to the end: make room on its disk and run again.");
 }
 
+TEST_CASE("a link stays a link, and a device is written, not replaced") {
+  const ScratchFolder folder("file-link");
+  detail::replace_file(folder / "there/a.txt", "first");
+  std::filesystem::create_symlink(folder / "there/a.txt", folder / "link");
+  detail::replace_file(folder / "link", "second");
+  CHECK(std::filesystem::is_symlink(folder / "link"));
+  CHECK(content_of(folder / "there/a.txt") == "second");
+  std::filesystem::create_symlink("/dev/null", folder / "null");
+  detail::replace_file(folder / "null", "x");
+  CHECK(std::filesystem::is_symlink(folder / "null"));
+}
+
+TEST_CASE("if writing fails, the old file stays and nothing is left beside it") {
+  const ScratchFolder folder("file-kept");
+  detail::replace_file(folder / "a.txt", "first");
+  CHECK_THROWS_AS(detail::replace_file(folder / "a.txt",
+                                       [](detail::OutputFile& file) {
+                                         file.write("half");
+                                         throw Error("no more");
+                                       }),
+                  Error);
+  CHECK(content_of(folder / "a.txt") == "first");
+  std::filesystem::create_directories(folder / "full/inside");
+  CHECK_THROWS_AS(detail::replace_file(folder / "full", "x"), Error);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 2);
+}
+
 TEST_CASE("csv_escaped follows RFC 4180") {
   CHECK(detail::csv_escaped("plain text") == "plain text");
   CHECK(detail::csv_escaped("a,b") == "\"a,b\"");

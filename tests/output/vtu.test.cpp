@@ -98,6 +98,54 @@ TEST_CASE("vtu: after each time the lists are whole and name files that are ther
   CHECK(content_of(folder / "film_0000.vtu").find("appended") == std::string::npos);
 }
 
+TEST_CASE("vtu: lists of a film are valid for every name that is text") {
+  const ScratchFolder folder("vtu-names");
+  const Mesh mesh = box({.size = {1, 1, 1}});
+  VtuSeries film(folder / "a \"b\" \\ <c> & caf\xC3\xA9");
+  film.write(0, mesh, mesh.nodes, {{"a\nb\x01\xFF", std::vector<double>(8)}});
+  const std::string stem = folder / "a \"b\" \\ <c> & caf\xC3\xA9";
+  CHECK(content_of(stem + ".vtu.series").find("\"a \\\"b\\\" \\\\ <c> & caf\xC3\xA9_0000.vtu\"") != std::string::npos);
+  CHECK(content_of(stem + ".pvd").find("a &quot;b&quot; \\ &lt;c&gt; &amp; caf\xC3\xA9_0000.vtu") != std::string::npos);
+  CHECK(content_of(stem + "_0000.vtu").find("\"a&#10;b\xEF\xBF\xBD\xEF\xBF\xBD\"") != std::string::npos);
+  for (const char* name : {"a\nb", "a\x01", "a\xFF"})
+    CHECK_THROWS_WITH(VtuSeries(folder / name), Catch::Matchers::ContainsSubstring("are no text in UTF-8"));
+  CHECK_THROWS_WITH(film.write(std::nan(""), mesh, mesh.nodes),
+                    Catch::Matchers::ContainsSubstring("got the time nan: give a finite one."));
+}
+
+TEST_CASE("vtu: numbers of nodes and corners beyond 2^31 are written in 64 bits") {
+  detail::VtuCells cells;
+  cells.add(std::array<Index, 4>{0, 1, 2, 4'000'000'000}, 9);
+  detail::Xml wide, narrow;
+  cells.write(wide);
+  CHECK(wide.str().find("Int64\" Name=\"connectivity") != std::string::npos);
+  CHECK(wide.str().find("Int64\" Name=\"offsets") != std::string::npos);
+  const std::array<std::int64_t, 5> numbers{32, 0, 1, 2, 4'000'000'000};  // 4 numbers of 8 bytes
+  CHECK(wide.str().find(base64({reinterpret_cast<const char*>(numbers.data()), sizeof numbers})) != std::string::npos);
+  detail::VtuCells few;
+  few.add(std::array<Index, 2>{0, 1}, 3);
+  few.write(narrow);
+  CHECK(narrow.str().find("Int32\" Name=\"offsets") != std::string::npos);
+  detail::Xml many;
+  few.write(many, 1);  // as if 32 bits held no more
+  CHECK(many.str().find("Int64\" Name=\"offsets") != std::string::npos);
+}
+
+TEST_CASE("vtu: cells that name no node, and fields that no reader could tell apart, are errors") {
+  const ScratchFolder folder("vtu-cells");
+  Mesh mesh = box({.size = {1, 1, 1}, .cells = {2, 1, 1}});
+  const std::vector<double> twelve(12);
+  const std::string path = folder / "a.vtu";
+  CHECK_THROWS_WITH(write_vtu(path, 0, mesh, mesh.nodes, {{"", twelve}}),
+                    "strike: a field by nodes has no name: give it one.");
+  CHECK_THROWS_WITH(write_vtu(path, 0, mesh, mesh.nodes, {{"v", twelve}, {"u", twelve}, {"v", twelve}}),
+                    "strike: two fields by nodes are called 'v': give each a name of its own.");
+  mesh.hexahedra[1][3] = 12;
+  CHECK_THROWS_WITH(write_vtu(path, 0, mesh, mesh.nodes),
+                    "strike: the VTU file '" + path + "' has 12 nodes, but cell 1 names node 12: give nodes below 12.");
+  CHECK_FALSE(std::filesystem::exists(path));
+}
+
 TEST_CASE("vtu: numbers of rows that do not fit are errors") {
   const ScratchFolder folder("vtu-error");
   const Mesh mesh = box({.size = {1, 1, 1}});

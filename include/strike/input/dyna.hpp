@@ -27,6 +27,19 @@ inline const Keyword* find_keyword(std::string_view name) {
   search(mesh_keywords), search(material_keywords), search(section_keywords), search(load_keywords);
   return found;
 }
+/// Passes a keyword that is not read. Error: the mesh would be another one without it.
+inline void pass_keyword(File& file) {
+  const std::string_view name = file.base();
+  for (const std::string_view read : {"*ELEMENT_SOLID", "*ELEMENT_SHELL"})
+    if (name.starts_with(read)) file.refuse({name, " is not read: write the elements as ", read, "."});
+  if (name.starts_with("*NODE_MERGE") || name.starts_with("*NODE_TRANSFORM"))
+    file.refuse({name, " is not read: write the nodes as they are after it."});
+  constexpr std::string_view element = "*ELEMENT_";
+  if (name.starts_with(element) && name.find('_', element.size()) == name.npos)
+    file.ignore_elements();
+  else
+    file.skip();
+}
 
 }  // namespace detail::dyna
 
@@ -35,16 +48,18 @@ inline const Keyword* find_keyword(std::string_view name) {
 /// skipped with a warning. `name` is the file in messages. Errors: `*INCLUDE`; the long formats; elements of higher
 /// order, wedges; text in the place of a number; a number given twice; a node, set or part that is not there; a
 /// material without a density or a modulus.
-inline DynaDeck read_dyna(std::string_view text, std::string name) {
-  detail::dyna::File file(detail::Source(text, std::move(name)));
-  detail::dyna::Draft draft;
-  while (file.next_keyword()) {
-    if (const auto* const keyword = detail::dyna::find_keyword(file.base()))
-      keyword->read(file, draft);
-    else
-      file.skip();
-  }
-  return detail::dyna::resolved(std::move(draft), file);
+inline DynaDeck read_dyna(std::string_view text, const std::string& name) {
+  return detail::within_memory(name, [&] {
+    detail::dyna::File file(detail::Source(text, name));
+    detail::dyna::Draft draft;
+    while (file.next_keyword()) {
+      if (const auto* const keyword = detail::dyna::find_keyword(file.base()))
+        keyword->read(file, draft);
+      else
+        detail::dyna::pass_keyword(file);
+    }
+    return detail::dyna::resolved(std::move(draft), file);
+  });
 }
 inline DynaDeck read_dyna(const std::string& path) { return read_dyna(detail::content_of_file(path), path); }
 

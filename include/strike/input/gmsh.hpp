@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/input/deck.hpp>
 #include <strike/input/raw_mesh.hpp>
 #include <strike/input/source.hpp>
@@ -29,6 +31,7 @@ class GmshReader {
       if (line[0] != '$') source_.refuse({shown(line), " stands in no section: begin one with $Name before it."});
       const std::string_view name = line.substr(1);
       rest_ = {};
+      bool was_read = true;
       if (version_ == 0 && name != "MeshFormat" && name != "Comments")
         source_.refuse({"the file does not begin with $MeshFormat: save it from gmsh as .msh of version 2.2 or 4.1."});
       if (name == "MeshFormat")
@@ -42,10 +45,12 @@ class GmshReader {
       else if (name == "Elements")
         version_ == 4 ? elements() : elements_of_2();
       else
-        skipped_.add(line, source_.line());
-      to_end_of(name);
+        skipped_.add(line.substr(0, 60), source_.line()), was_read = false;
+      to_end_of(name, was_read);
     }
     if (version_ == 0) source_.refuse({"the file is empty: save it from gmsh as .msh of version 2.2 or 4.1."});
+    if (version_ == 2) join_copies();
+    give_sets_their_nodes();
     Deck deck = finished(std::move(raw_), source_).deck;
     std::erase_if(deck.parts, [](const NamedSet& part) { return part.members.empty(); });
     skipped_.tell(deck.warnings, " was skipped: ");
@@ -69,13 +74,23 @@ class GmshReader {
     return word;
   }
   FileNumber integer(std::string_view meaning) { return source_.integer(word(meaning), meaning); }
+  FileNumber count(std::string_view meaning) {
+    const FileNumber n = integer(joined({"the count of ", meaning}));
+    if (n < 0)
+      source_.refuse(
+          {"the count of ", meaning, " ", std::to_string(n), " is negative: save the file from gmsh again."});
+    return n;
+  }
   double number(std::string_view meaning) { return source_.number(word(meaning), meaning); }
   FileNumber tag(std::string_view meaning, FileNumber least = 1) { return source_.tag(word(meaning), meaning, least); }
 
-  void to_end_of(std::string_view name) {
+  /// Error: a section that was read holds more than it counts.
+  void to_end_of(std::string_view name, bool was_read) {
     do {
       rest_ = trimmed(rest_);
       if (rest_.size() == name.size() + 4 && rest_.substr(0, 4) == "$End" && rest_.substr(4) == name) return;
+      if (was_read && !rest_.empty())
+        source_.refuse({"section $", name, " holds ", shown(rest_), " after as much as its counts say: correct them."});
     } while (source_.next(rest_));
     source_.refuse({"the section $", name, " has no end: save the file from gmsh again."});
   }
@@ -83,16 +98,21 @@ class GmshReader {
   void format() {
     const std::string_view version = word("the version");
     const FileNumber binary = integer("the file type");
-    if (version != "2.2" && version != "4.1")
+    if (version != "2.1" && version != "2.2" && version != "4.1")
       source_.refuse({"version ", shown(version), " is not read: save as 2.2 or 4.1 (gmsh -format msh41)."});
     if (binary != 0) source_.refuse({"the file is binary: save it as ASCII (Mesh.Binary = 0)."});
+    if (version_ != 0) source_.refuse({"the format is there twice: save the file from gmsh again."});
     version_ = version == "4.1" ? 4 : 2;
+    integer("the size of numbers");
   }
 
   void physical_names() {
-    for (FileNumber left = integer("the count of names"); left > 0; --left) {
+    for (FileNumber left = count("names"); left > 0; --left) {
       const FileNumber dimension = integer("the dimension of a group"), number = integer("the number of a group");
       taken(rest_, '"');
+      const std::size_t end = rest_.find('"');
+      if (end == rest_.npos)
+        source_.refuse({"group ", std::to_string(number), " has no name between quotes: give it one."});
       names_[{dimension, number}] = std::string(trimmed(taken(rest_, '"')));
     }
   }
@@ -100,38 +120,46 @@ class GmshReader {
   /// The physical groups of each entity.
   void entities() {
     std::array<FileNumber, 4> counts;
-    for (FileNumber& count : counts) count = integer("the count of entities");
+    for (FileNumber& of_dimension : counts) of_dimension = count("entities");
     for (const FileNumber dimension : {0, 1, 2, 3})
       for (FileNumber left = counts[static_cast<std::size_t>(dimension)]; left > 0; --left) {
         const FileNumber entity = integer("the number of an entity");
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) number("a bound of an entity");
-        for (FileNumber groups = integer("the count of groups"); groups > 0; --groups)
+        for (FileNumber groups = count("groups"); groups > 0; --groups)
           physicals_[{dimension, entity}].push_back(
               std::abs(tag("the number of a group", -number_limit)));  // negative: turned over
         if (dimension > 0)
-          for (FileNumber bounds = integer("the count of bounds"); bounds > 0; --bounds) integer("a bounding entity");
+          for (FileNumber bounds = count("bounds"); bounds > 0; --bounds) integer("a bounding entity");
       }
   }
 
+  void expect(FileNumber announced, FileNumber read, std::string_view things) const {
+    if (announced != read)
+      source_.refuse({"the section announces ", std::to_string(announced), " ", things, " and has ",
+                      std::to_string(read), ": save the file from gmsh again."});
+  }
   void nodes() {
-    FileNumber blocks = integer("the count of blocks");
-    for (int i = 0; i < 3; ++i) integer("a count or number of nodes");
+    FileNumber blocks = count("blocks");
+    const FileNumber announced = count("nodes");
+    const std::size_t before = raw_.nodes.size();
+    for (int i = 0; i < 2; ++i) integer("a number of a node");
     for (; blocks > 0; --blocks) {
       const FileNumber dimension = integer("the dimension of a block");
       integer("the entity of a block");
       const FileNumber parameters =
           integer("whether the nodes are parametric,") != 0 ? std::clamp<FileNumber>(dimension, 0, 3) : 0;
       const std::size_t first = raw_.nodes.size();
-      for (FileNumber left = integer("the count of nodes"); left > 0; --left)
+      for (FileNumber left = count("nodes"); left > 0; --left)
         raw_.nodes.push_back({tag("the number of a node"), Eigen::Vector3d::Zero(), source_.line()});
       for (std::size_t n = first; n < raw_.nodes.size(); ++n) {
         raw_.nodes[n].x = position();
         for (FileNumber i = 0; i < parameters; ++i) number("a parameter");
       }
     }
+    expect(announced, static_cast<FileNumber>(raw_.nodes.size() - before), "nodes");
   }
   void nodes_of_2() {
-    for (FileNumber left = integer("the count of nodes"); left > 0; --left) {
+    for (FileNumber left = count("nodes"); left > 0; --left) {
       const FileNumber number = tag("the number of a node");
       raw_.nodes.push_back({number, position(), source_.line()});
     }
@@ -142,25 +170,27 @@ class GmshReader {
   }
 
   void elements() {
-    FileNumber blocks = integer("the count of blocks");
-    for (int i = 0; i < 3; ++i) integer("a count or number of elements");
+    FileNumber blocks = count("blocks"), read = 0;
+    const FileNumber announced = count("elements");
+    for (int i = 0; i < 2; ++i) integer("a number of an element");
     for (; blocks > 0; --blocks) {
       integer("the dimension of a block");
       const FileNumber entity = integer("the entity of a block"), type = integer("the type of elements");
-      for (FileNumber left = integer("the count of elements"); left > 0; --left) {
+      for (FileNumber left = count("elements"); left > 0; --left, ++read) {
         const FileNumber number = tag("the number of an element");
         element(number, type, entity, 0);
       }
     }
+    expect(announced, read, "elements");
   }
   void elements_of_2() {
-    for (FileNumber left = integer("the count of elements"); left > 0; --left) {
+    for (FileNumber left = count("elements"); left > 0; --left) {
       const FileNumber number = tag("the number of an element"), type = integer("the type of the element");
       FileNumber physical = 0, entity = 0;
-      const FileNumber tags = integer("the count of tags");
+      const FileNumber tags = count("tags");
       for (FileNumber i = 0; i < tags; ++i) {
-        const FileNumber value = integer("a tag");
-        if (i == 0) physical = value;
+        const FileNumber value = tag("a tag", -number_limit);
+        if (i == 0) physical = std::abs(value);  // negative: turned over
         if (i == 1) entity = value;
       }
       element(number, type, entity, physical);
@@ -183,10 +213,10 @@ class GmshReader {
                       ", which is not read: mesh in order 1 with hexahedra, tetrahedra, quadrilaterals or triangles."});
     RawMesh::Element element{number, {}, 0, source_.line(), Shape::hexahedron};
     for (std::size_t i = 0; i < kind->corners; ++i) element.corners[i] = tag("a corner");
-    const Group& group = group_of(kind->dimension, entity, physical);
-    for (const std::size_t set : group.node_sets)
+    Group& group = group_of(kind->dimension, entity, physical);
+    if (kind->dimension < 3)
       for (std::size_t i = 0; i < kind->corners; ++i)
-        raw_.node_sets[set].sequences.push_back({element.corners[i], element.corners[i], 1, element.line});
+        group.nodes.sequences.push_back({element.corners[i], element.corners[i], 1, element.line});
     if (kind->dimension < 2) {
       ignored_.add(kind->dimension == 0 ? "Points" : "Lines", element.line);
       return;
@@ -202,48 +232,98 @@ class GmshReader {
 
   struct Group {
     std::uint32_t number;
+    RawMesh::Set nodes = {.is_listed = false};  ///< unless it is a volume
     std::vector<std::size_t> node_sets = {};
   };
   /// The group of elements of an entity: its parts, and unless it is a volume the sets of its nodes.
-  const Group& group_of(FileNumber dimension, FileNumber entity, FileNumber physical) {
+  Group& group_of(FileNumber dimension, FileNumber entity, FileNumber physical) {
     const std::array<FileNumber, 3> key{dimension, entity, physical};
     if (last_group_ && last_key_ == key) return *last_group_;
     const auto [place, is_new] = groups_.try_emplace(key, Group{static_cast<std::uint32_t>(raw_.groups.size())});
     Group& group = place->second;
     last_key_ = key, last_group_ = &group;
     if (!is_new) return group;
+    group.nodes.line = source_.line();
     raw_.groups.emplace_back();
-    const auto join = [&](FileNumber number, const std::string& name) {
+    const auto dimension_at = static_cast<std::size_t>(dimension);
+    const auto join = [&](auto& parts, FileNumber number) {
       const auto [part, first] =
-          parts_.try_emplace({dimension, number, name}, std::pair(raw_.parts.size(), raw_.node_sets.size()));
+          parts[dimension_at].try_emplace(number, std::pair(raw_.parts.size(), raw_.node_sets.size()));
       if (first) {
-        raw_.parts.push_back({number, name, {}});
-        if (dimension < 3) raw_.node_sets.push_back({number, name, {}, {}});
+        NamedSet named;
+        if (&parts == &physical_parts_)
+          named = {number, names_[{dimension, number}], {}};
+        else
+          named.name = std::array{"point ", "line ", "surface ", "volume "}[dimension_at] + std::to_string(number);
+        if (dimension < 3) raw_.node_sets.push_back({.number = named.number, .name = named.name});
+        raw_.parts.push_back(std::move(named));
       }
       raw_.groups.back().push_back(static_cast<std::uint32_t>(part->second.first));
       if (dimension < 3) group.node_sets.push_back(part->second.second);
     };
-    const auto join_physical = [&](FileNumber number) {
-      const auto name = names_.find({dimension, number});
-      join(number, name != names_.end() ? name->second : std::string());
-    };
     const auto physicals = physicals_.find({dimension, entity});
     if (physical != 0)
-      join_physical(physical);
+      join(physical_parts_, physical);
     else if (physicals != physicals_.end())
-      for (const FileNumber number : physicals->second) join_physical(number);
+      for (const FileNumber number : ascending(physicals->second)) join(physical_parts_, number);
     else
-      join(entity, joined({std::array{"point ", "line ", "surface ", "volume "}[static_cast<std::size_t>(dimension)],
-                           std::to_string(entity)}));
+      join(entity_parts_, entity);
     return group;
+  }
+  /// Version 2 writes an element of an entity in several physical groups once for each: the copies become one.
+  void join_copies() {
+    std::vector<char> in_several(raw_.groups.size(), 0);
+    for (auto next = groups_.begin(), group = next; next != groups_.end(); group = next)
+      if (++next != groups_.end() && next->first[0] == group->first[0] && next->first[1] == group->first[1])
+        in_several[group->second.number] = in_several[next->second.number] = 1;
+    std::vector<std::size_t> elements;
+    for (std::size_t e = 0; e < raw_.elements.size(); ++e)
+      if (in_several[raw_.elements[e].group]) elements.push_back(e);
+    const auto same = [&](std::size_t a, std::size_t b) {
+      return raw_.elements[a].shape == raw_.elements[b].shape && raw_.elements[a].corners == raw_.elements[b].corners;
+    };
+    std::stable_sort(elements.begin(), elements.end(), [&](std::size_t a, std::size_t b) {
+      return std::tie(raw_.elements[a].shape, raw_.elements[a].corners) <
+             std::tie(raw_.elements[b].shape, raw_.elements[b].corners);
+    });
+    std::map<std::vector<std::uint32_t>, std::uint32_t> joined_groups;
+    std::vector<char> is_copy(raw_.elements.size(), 0);
+    for (std::size_t first = 0, last = 0; first < elements.size(); first = last) {
+      std::vector<std::uint32_t> parts;
+      for (; last < elements.size() && same(elements[first], elements[last]); ++last) {
+        const auto& more = raw_.groups[raw_.elements[elements[last]].group];
+        parts.insert(parts.end(), more.begin(), more.end());
+        is_copy[elements[last]] = last > first;
+      }
+      if (last == first + 1) continue;
+      const auto [group, is_new] =
+          joined_groups.try_emplace(ascending(std::move(parts)), static_cast<std::uint32_t>(raw_.groups.size()));
+      if (is_new) raw_.groups.push_back(group->first);
+      raw_.elements[elements[first]].group = group->second;
+    }
+    std::size_t next = 0;
+    std::erase_if(raw_.elements, [&](const RawMesh::Element&) { return is_copy[next++] != 0; });
+  }
+  /// The sets that groups are in include their nodes.
+  void give_sets_their_nodes() {
+    std::vector<RawMesh::Set> all;
+    for (auto& [key, group] : groups_) {
+      for (const std::size_t set : group.node_sets) raw_.node_sets[set].others.push_back(all.size());
+      for (const std::size_t set : group.node_sets) raw_.node_sets[set].line = group.nodes.line;
+      if (!group.node_sets.empty()) all.push_back(std::move(group.nodes));
+    }
+    std::move(raw_.node_sets.begin(), raw_.node_sets.end(), std::back_inserter(all));
+    raw_.node_sets = std::move(all);
   }
 
   std::map<Entity, std::string> names_ = {};
   std::map<Entity, std::vector<FileNumber>> physicals_ = {};
   std::map<std::array<FileNumber, 3>, Group> groups_ = {};
-  std::map<std::tuple<FileNumber, FileNumber, std::string>, std::pair<std::size_t, std::size_t>> parts_ = {};
+  /// By dimension and number: places among the parts and the sets of nodes.
+  using Parts = std::array<std::map<FileNumber, std::pair<std::size_t, std::size_t>>, 4>;
+  Parts physical_parts_ = {}, entity_parts_ = {};
   std::array<FileNumber, 3> last_key_ = {};
-  const Group* last_group_ = nullptr;
+  Group* last_group_ = nullptr;
   Source source_;
   std::string_view rest_ = {};
   RawMesh raw_ = {};
@@ -253,12 +333,12 @@ class GmshReader {
 
 }  // namespace detail
 
-/// The mesh of a gmsh file (.msh), ASCII of version 2.2 or 4.1. Physical groups of volumes and surfaces are parts;
+/// The mesh of a gmsh file (.msh), ASCII of version 2.1, 2.2 or 4.1. Physical groups of volumes and surfaces are parts;
 /// groups of surfaces, lines and points are also sets of nodes. Surface elements on solids, lines and points are only
 /// sets of nodes. `name` is the file in messages. Errors: binary or another version; elements of higher order, wedges
 /// and pyramids; text in the place of a number; a number given twice; a node that is not there; an incomplete file.
-inline Deck read_gmsh(std::string_view text, std::string name) {
-  return detail::GmshReader(detail::Source(text, std::move(name))).read();
+inline Deck read_gmsh(std::string_view text, const std::string& name) {
+  return detail::within_memory(name, [&] { return detail::GmshReader(detail::Source(text, name)).read(); });
 }
 inline Deck read_gmsh(const std::string& path) { return read_gmsh(detail::content_of_file(path), path); }
 

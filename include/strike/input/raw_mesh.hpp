@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -49,19 +50,26 @@ class Numbering {
     const auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(number, 0));
     return place != sorted_.end() && place->first == number ? place->second : nothing;
   }
-  /// Calls f with the place of each of the numbers first, first + step, ... up to last.
-  template <class F>
-  void for_range(FileNumber first, FileNumber last, FileNumber step, F f) const {
+  /// Calls f with the place of each of the numbers first, first + step, ... up to last; before, `visits` with a bound
+  /// of their count.
+  template <class F, class Visits>
+  void for_range(FileNumber first, FileNumber last, FileNumber step, F f, Visits visits) const {
     if (numbers_.empty() || step < 1) return;
     if (first < first_) first += (first_ - first + step - 1) / step * step;
     last = std::min(last, last_);
-    if (!table_.empty()) {
+    if (first > last) return;
+    const auto steps = static_cast<std::size_t>((last - first) / step + 1);
+    const auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(first, 0));
+    const auto end = std::upper_bound(place, sorted_.end(), std::pair<FileNumber, Index>(last, nothing));
+    const auto listed = static_cast<std::size_t>(end - place);
+    if (!table_.empty() || steps < listed) {
+      visits(steps);
       for (FileNumber n = first; n <= last; n += step)
         if (const Index i = find(n); i != nothing) f(i);
     } else {
-      auto place = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair<FileNumber, Index>(first, 0));
-      for (; place != sorted_.end() && place->first <= last; ++place)
-        if ((place->first - first) % step == 0) f(place->second);
+      visits(listed);
+      for (auto next = place; next != end; ++next)
+        if ((next->first - first) % step == 0) f(next->second);
     }
   }
   /// A place whose number occurs before it, or `nothing`.
@@ -73,6 +81,25 @@ class Numbering {
   std::vector<Index> table_;
   std::vector<std::pair<FileNumber, Index>> sorted_;
   Index twice_ = nothing;
+};
+
+/// What copies of parts, sets and cards may name together: a multiple of the size of the file, so that memory and time
+/// are linear in it.
+class Allowance {
+ public:
+  explicit Allowance(const Source& source) : source_(&source), left_(1'000'000 + 32 * source.size()) {}
+
+  /// Error: more nodes and elements than are left.
+  void take(std::size_t count, std::uint32_t line) {
+    if (count > left_)
+      source_->refuse(line, {"instances, sets and cards name nodes and elements more often than a file of ",
+                             std::to_string(source_->size()), " bytes may: take out those that repeat others."});
+    left_ -= count;
+  }
+
+ private:
+  const Source* source_;
+  std::size_t left_;
 };
 
 /// Input of the readers by the numbers of the file; `finished` makes a deck of it.
@@ -103,6 +130,8 @@ struct RawMesh {
     std::string name = {};
     std::vector<Sequence> sequences = {};
     std::vector<std::size_t> others = {};  ///< earlier sets that it includes
+    std::uint32_t line = 0;                ///< where it begins
+    bool is_listed = true;                 ///< in the deck; others are only parts of sets
   };
 
   std::vector<Node> nodes = {};
@@ -131,9 +160,10 @@ inline bool folds_to_tetrahedron(std::array<Index, 8>& c) {
 
 /// The deck, and where in it the nodes of the file are.
 struct Finished {
-  Deck deck;
-  Numbering file_nodes;
-  std::vector<Index> place;  ///< of each node of the file; `nothing` if it was dropped
+  Deck deck = {};
+  Allowance allowance;
+  Numbering file_nodes = {};
+  std::vector<Index> place = {};  ///< of each node of the file; `nothing` if it was dropped
 
   /// The node of that number, or `nothing` if it was dropped. Error: it is not in the file.
   Index node(FileNumber number, const Source& source, std::uint32_t line) const {
@@ -145,25 +175,53 @@ struct Finished {
   }
 };
 
+/// The same numbers in fewer sequences.
+inline std::vector<RawMesh::Sequence> merged(std::vector<RawMesh::Sequence> ranges) {
+  const auto key = [](const RawMesh::Sequence& s) { return std::tuple(s.step, s.first % s.step, s.first); };
+  std::sort(ranges.begin(), ranges.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::vector<RawMesh::Sequence> result;
+  for (const RawMesh::Sequence& next : ranges) {
+    const bool joins = !result.empty() && result.back().step == next.step &&
+                       (next.first - result.back().first) % next.step == 0 &&
+                       next.first <= result.back().last + next.step;
+    if (joins)
+      result.back().last = std::max(result.back().last, next.last);
+    else
+      result.push_back(next);
+  }
+  return result;
+}
+
 /// The sets by places in the mesh. Error: a number in a set that is neither in the mesh nor ignored.
 inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numbering& numbering,
                                       const Numbering& ignored, std::span<const Index> place, const char* thing,
-                                      const Source& source) {
+                                      const Source& source, Allowance& allowance) {
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : sets) {
     std::vector<Index> members;
-    for (const auto& [first, last, step, line] : set.sequences) {
-      if (first == last && numbering.find(first) == nothing && ignored.find(first) == nothing)
-        source.refuse(line, {thing, " ", std::to_string(first % RawMesh::scope),
-                             " is not in the file: define it or take it off this set."});
-      numbering.for_range(first, last, step, [&](Index i) {
-        if (place[i] != nothing) members.push_back(place[i]);
-      });
+    std::vector<RawMesh::Sequence> ranges;
+    const auto add = [&](Index i) {
+      if (place[i] != nothing) members.push_back(place[i]);
+    };
+    for (const RawMesh::Sequence& numbers : set.sequences)
+      if (numbers.first != numbers.last)
+        ranges.push_back(numbers);
+      else if (const Index i = numbering.find(numbers.first); i != nothing)
+        add(i);
+      else if (ignored.find(numbers.first) == nothing)
+        source.refuse(numbers.line, {thing, " ", std::to_string(numbers.first % RawMesh::scope),
+                                     " is not in the file: define it or take it off this set."});
+    for (const auto& [first, last, step, line] : merged(std::move(ranges)))
+      numbering.for_range(first, last, step, add, [&, at = line](std::size_t count) { allowance.take(count, at); });
+    for (const std::size_t other : ascending(std::move(set.others))) {
+      const std::vector<Index>& more = all.at(other).members;
+      allowance.take(more.size(), set.line);
+      members.insert(members.end(), more.begin(), more.end());
     }
-    for (const std::size_t other : set.others)
-      members.insert(members.end(), all.at(other).members.begin(), all.at(other).members.end());
     all.push_back({set.number, std::move(set.name), ascending(std::move(members))});
   }
+  std::size_t next = 0;
+  std::erase_if(all, [&](const NamedSet&) { return !sets[next++].is_listed; });
   return all;
 }
 
@@ -171,7 +229,7 @@ inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numb
 /// tetrahedron, quadrilateral nor triangle.
 inline Finished finished(RawMesh raw, const Source& source) {
   using Shape = RawMesh::Shape;
-  Finished result;
+  Finished result{.allowance = Allowance(source)};
   Deck& deck = result.deck;
   std::vector<FileNumber> numbers;
   numbers.reserve(raw.nodes.size());
@@ -263,8 +321,9 @@ inline Finished finished(RawMesh raw, const Source& source) {
       list.push_back(corners);
       cell_place[e] = static_cast<Index>(deck.cell_numbers.size());
       deck.cell_numbers.push_back(raw.elements[e].number % RawMesh::scope);
-      for (const std::uint32_t part : raw.groups[raw.elements[e].group])
-        deck.parts[part].members.push_back(cell_place[e]);
+      const auto& parts = raw.groups[raw.elements[e].group];
+      if (parts.size() > 1) result.allowance.take(parts.size(), raw.elements[e].line);
+      for (const std::uint32_t part : parts) deck.parts[part].members.push_back(cell_place[e]);
     }
   };
   add(deck.mesh.hexahedra, Shape::hexahedron);
@@ -280,9 +339,10 @@ inline Finished finished(RawMesh raw, const Source& source) {
                   {"element ", std::to_string(twin.number % RawMesh::scope), " is on line ", std::to_string(twin.line),
                    " already: give each element a number of its own."});
   }
-  deck.node_sets = resolved(std::move(raw.node_sets), result.file_nodes, {}, result.place, "node", source);
+  deck.node_sets =
+      resolved(std::move(raw.node_sets), result.file_nodes, {}, result.place, "node", source, result.allowance);
   deck.cell_sets = resolved(std::move(raw.element_sets), file_elements, Numbering(std::move(raw.ignored_elements)),
-                            cell_place, "element", source);
+                            cell_place, "element", source, result.allowance);
   if (marks > 0)
     deck.warnings.push_back(
         joined({"Surface elements on solids (", std::to_string(marks), ") mark faces, and are no plates."}));

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <initializer_list>
 #include <memory>
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/output/file.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -28,18 +31,37 @@ namespace detail {
 /// Upper bound of the numbers in a file, itself not allowed.
 inline constexpr FileNumber number_limit = FileNumber(1) << 40;
 
-/// The content of a file. Error: it cannot be read.
+/// The content of a file or a pipe. Errors: it cannot be read; it is a device, is binary, or does not fit in memory.
 inline std::string content_of_file(const std::string& path) {
+  const auto refuse = [&](std::string_view why) { throw Error(joined({"strike: the file '", path, "' ", why})); };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file)
-    throw Error(joined({"strike: the file '", path, "' cannot be opened for reading: check its name and folder."}));
+  if (!file) refuse("cannot be opened for reading: check its name and folder.");
   std::string content;
-  std::array<char, 1 << 16> buffer;
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
-    content.append(buffer.data(), count);
-  if (std::ferror(file.get()))
-    throw Error(joined({"strike: the file '", path, "' cannot be read: give the path of a file."}));
+  try {
+    if (std::uint64_t bytes = 0; has_size(path, bytes)) content.reserve(static_cast<std::size_t>(bytes) + 1);
+    std::array<char, 1 << 16> buffer;
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+      const std::string_view read(buffer.data(), count);
+      if (read.find('\0') != read.npos) refuse("is binary: save it as text.");
+      content += read;
+    }
+  } catch (const std::bad_alloc&) {
+    refuse("does not fit in memory: give a smaller one.");
+  } catch (const std::length_error&) {
+    refuse("does not fit in memory: give a smaller one.");
+  }
+  if (std::ferror(file.get())) refuse("cannot be read: give the path of a file.");
   return content;
+}
+
+/// The result of a reader. Error: it does not fit in memory.
+template <class Read>
+auto within_memory(const std::string& name, const Read& read) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw Error(joined({"strike: the mesh of the file '", name, "' does not fit in memory: give a smaller one."}));
+  }
 }
 
 inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
@@ -119,15 +141,28 @@ inline std::optional<FileNumber> to_integer(std::string_view field) {
   return result + (trimmed(text).size() > 40 ? "...'" : "'");
 }
 
-/// A text being read, line by line.
+/// A text being read, line by line. Lines end with LF, CR LF or CR; a byte-order mark of UTF-8 is no text.
 class Source {
  public:
-  Source(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
+  /// Error: the text holds a byte 0.
+  Source(std::string_view text, std::string name)
+      : rest_(text),
+        size_(text.size()),
+        name_(std::move(name)),
+        end_of_line_(text.find('\n') < text.npos ? '\n' : '\r') {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+    if (const std::size_t zero = text.find('\0'); zero != text.npos)
+      refuse(
+          1 + static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + std::ptrdiff_t(zero), end_of_line_)),
+          {"a byte is 0, as in binary files and UTF-16: save the file as text in ASCII or UTF-8."});
+  }
 
+  /// Size of the text [bytes].
+  std::size_t size() const { return size_; }
   /// The next line, without its end.
   bool next(std::string_view& line) {
     if (rest_.empty()) return false;
-    line = taken(rest_, '\n');
+    line = taken(rest_, end_of_line_);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     ++line_;
     return true;
@@ -150,12 +185,12 @@ class Source {
 
   double number(std::string_view field, std::string_view meaning) const {
     const auto value = to_number(field);
-    if (!value) refuse({meaning, " ", shown(field), " is no number: write it as 1.5 or 1.5e-3."});
+    if (!value) refuse_field(field, meaning, " is no number: write it as 1.5 or 1.5e-3.");
     return *value;
   }
   FileNumber integer(std::string_view field, std::string_view meaning) const {
     const auto value = to_integer(field);
-    if (!value) refuse({meaning, " ", shown(field), " is no whole number: correct it."});
+    if (!value) refuse_field(field, meaning, " is no whole number: correct it.");
     return *value;
   }
   /// The number of a node, element, part or set, within its bounds.
@@ -167,8 +202,16 @@ class Source {
   }
 
  private:
+  [[noreturn, gnu::cold]] void refuse_field(std::string_view field, std::string_view meaning,
+                                            std::string_view why) const {
+    const bool parameter = trimmed(field).substr(0, 2).find_first_of("&<") != field.npos;
+    refuse({meaning, " ", shown(field), parameter ? " is a parameter, which is not replaced: write its value." : why});
+  }
+
   std::string_view rest_;
+  std::size_t size_;
   std::string name_;
+  char end_of_line_;
   std::uint32_t line_ = 0;
 };
 
@@ -184,7 +227,12 @@ class Skipped {
     else if (known->count += count; known->lines.size() < 5 && known->lines.back() != line)
       known->lines.push_back(line);
   }
-  bool empty() const { return kinds_.empty(); }
+  /// The first name with this beginning, and its line; empty if there is none.
+  std::string place_of(std::string_view beginning) const {
+    for (const Kind& kind : kinds_)
+      if (kind.name.starts_with(beginning)) return joined({kind.name, " on line ", std::to_string(kind.lines.front())});
+    return {};
+  }
   /// Adds the warnings: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
   void tell(std::vector<std::string>& all, std::string_view why) const {
     for (const auto& [name, count, lines] : kinds_) {

@@ -149,11 +149,35 @@ class CheckpointReader final : public Archive {
   std::uint64_t left_ = 0;
 };
 
+/// Includes the type of a run, with its items and policies, in the fingerprint.
+template <class Object>
+void identify(Archive& archive, const Object& object) {
+  if constexpr (requires { object.run.items(); })
+    identify(archive, object.run);
+  else if constexpr (requires { object.items(); })
+    archive.same(name_of<Object>());
+}
 template <class... Objects>
 std::uint64_t fingerprint_of(Objects&... objects) {
   Fingerprint fingerprint;
+  (identify(fingerprint, objects), ...);
   fingerprint(objects...);
   return fingerprint.value();
+}
+
+/// Error: the motion of a run is not finite, so that no run could go on from it.
+template <class Object>
+void expect_finite(const Object& object, const std::string& path) {
+  if constexpr (requires { object.run.positions(); }) {
+    expect_finite(object.run, path);
+  } else if constexpr (requires { object.positions(), object.velocities(); }) {
+    for (const auto& [what, vectors] : {std::pair("position", object.positions()), {"velocity", object.velocities()}})
+      for (std::size_t n = 0; n < vectors.size(); ++n)
+        if (!vectors[n].allFinite())
+          throw Error(
+              joined({"strike: the ", what, " of node ", std::to_string(n), " is not finite, so that the checkpoint '",
+                      path, "' is not written: go on from the one before."}));
+  }
 }
 
 /// True if every item of a run has a serialize function; else one sentence of the compiler.
@@ -173,15 +197,18 @@ constexpr bool remembers() {
 }  // namespace detail
 
 /// Writes the states of a run, its history and film, and numbers of your own (see Archive) into one file with a version
-/// and a checksum. If that fails, the old file stays.
+/// and a checksum. Errors: a motion that is not finite; a disk that does not take the file. The old file stays then.
 template <class... Objects>
 void write_checkpoint(const std::string& path, Objects&... objects) {
-  if constexpr ((detail::remembers<Objects>() && ...))
+  if constexpr ((detail::remembers<Objects>() && ...)) {
+    (detail::expect_finite(objects, path), ...);
     detail::replace_file(path, [&](detail::OutputFile& file) {
       detail::CheckpointWriter archive(file);
+      (detail::identify(archive, objects), ...);
       archive(objects...);
       archive.finish();
     });
+  }
 }
 
 /// Restores the states of the same objects, made anew by the same program. Errors, before anything is changed: no such

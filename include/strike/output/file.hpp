@@ -3,7 +3,9 @@
 #include <concepts>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +13,7 @@
 #include <strike/error.hpp>
 #include <strike/text.hpp>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -29,6 +32,11 @@ namespace strike::detail {
   if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
   bytes = static_cast<std::uint64_t>(status.st_size);
   return true;
+}
+
+/// True if what was written is on the disk, as far as the operating system knows, or if it has no such disk.
+[[gnu::cold]] inline bool is_on_disk(int file) {
+  return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
 
 /// A file being written. Its folder is made if it is not there; the old content stays until the first `write`. When
@@ -57,9 +65,7 @@ class OutputFile {
   void write(std::string_view text) {
     if (size_ == 0) cut(0);
     size_ += text.size();
-    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0)
-      throw Error(detail::joined(
-          {"strike: the file '", path_, "' cannot be written to the end: make room on its disk and run again."}));
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0) refuse_text();
   }
 
   /// Continues after the first bytes of the old content and removes the rest. Error: the file is shorter.
@@ -73,12 +79,24 @@ class OutputFile {
   /// Size of the text written [bytes].
   std::uint64_t size() const { return size_; }
 
-  /// Waits until the text is on the disk, as far as the operating system knows.
-  void sync() { ::fsync(::fileno(file_)); }
+  /// Waits until the text is on the disk, as far as the operating system knows. Error: it is not.
+  [[gnu::cold]] void sync() {
+    if (!is_on_disk(::fileno(file_))) refuse_text();
+    is_synced_ = true;
+  }
+  bool is_synced() const { return is_synced_; }
+  /// Error: the operating system has lost some of the text.
+  [[gnu::cold]] void close() {
+    if (std::FILE* const file = std::exchange(file_, nullptr); file && std::fclose(file) != 0) refuse_text();
+  }
 
   const std::string& path() const { return path_; }
 
  private:
+  [[noreturn, gnu::cold]] void refuse_text() const {
+    throw Error(detail::joined(
+        {"strike: the file '", path_, "' cannot be written to the end: make room on its disk and run again."}));
+  }
   /// Shortens the file to this size, if it is a file on a disk and longer.
   [[gnu::cold]] void cut(std::uint64_t bytes) {
     if (std::uint64_t there = 0;
@@ -90,20 +108,57 @@ class OutputFile {
   std::string path_;
   std::FILE* file_ = nullptr;
   std::uint64_t size_ = 0;
+  bool is_synced_ = false;
 };
 
+/// The path behind a link, which stays a link when the file is replaced.
+[[gnu::cold]] inline std::string path_behind(const std::string& path) {
+  struct ::stat status;
+  if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
+  const std::unique_ptr<char, void (*)(void*)> behind(::realpath(path.c_str(), nullptr), &std::free);
+  return behind ? std::string(behind.get()) : path;
+}
+/// True of devices and pipes, which are written and never replaced.
+[[gnu::cold]] inline bool is_device(const std::string& path) {
+  struct ::stat status;
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+/// Waits until the names in the folder of a file are on the disk. Error: they are not.
+[[gnu::cold]] inline void sync_folder_of(const std::string& path) {
+  const std::size_t end = path.rfind('/');
+  const std::string folder = end == std::string::npos ? "." : path.substr(0, end + 1);
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (opened < 0) return;  // a folder that may be written and not read
+  const bool done = is_on_disk(opened);
+  ::close(opened);
+  if (!done)
+    throw Error(joined({"strike: the folder '", folder, "' cannot be written: check its disk and run again."}));
+}
+
 /// Writes a file whole, by `write(OutputFile&)`, or leaves the old file: a reader never finds half of it, even after a
-/// killed run.
+/// killed run. If `write` syncs the file, the disk has it under its name.
 template <std::invocable<OutputFile&> Write>
 void replace_file(const std::string& path, const Write& write) {
-  const std::string part = path + ".part";
-  {
+  if (is_device(path)) {
+    OutputFile file(path);
+    write(file);
+    return file.close();
+  }
+  const std::string target = path_behind(path);
+  const std::string part = joined({target, ".", std::to_string(::getpid()), ".part"});  // one for each program
+  try {
     OutputFile file(part);
     write(file);
+    const bool synced = file.is_synced();
+    file.close();
+    if (std::rename(part.c_str(), target.c_str()) != 0)
+      throw Error(detail::joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
+                                  "): close or remove what is there."}));
+    if (synced) sync_folder_of(target);
+  } catch (...) {
+    ::unlink(part.c_str());
+    throw;
   }
-  if (std::rename(part.c_str(), path.c_str()) != 0)
-    throw Error(detail::joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
-                                "): close or remove what is there."}));
 }
 
 [[gnu::cold]] inline void replace_file(const std::string& path, std::string_view content) {

@@ -1,11 +1,14 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -79,6 +82,14 @@ class DataArray {
 }
 [[gnu::cold]] inline void write_fields(Xml& xml, const std::vector<Field>& fields, std::size_t count,
                                        std::string_view of_what) {
+  std::vector<std::string_view> names;
+  for (const Field& field : fields) names.push_back(field.name);
+  std::sort(names.begin(), names.end());
+  if (!names.empty() && names.front().empty())
+    throw Error(joined({"strike: a field by ", of_what, " has no name: give it one."}));
+  if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+    throw Error(
+        joined({"strike: two fields by ", of_what, " are called '", *twice, "': give each a name of its own."}));
   for (const Field& field : fields) {
     if (field.rows.size() != count)
       throw Error(joined({"strike: the field '", field.name, "' has ", std::to_string(field.rows.size()), " rows for ",
@@ -116,28 +127,52 @@ class VtuCells {
   }
   template <class Cell>
   void add(const Cell& cell, std::uint8_t kind) {
-    for (const Index node : cell) connectivity_.push_back(static_cast<std::int32_t>(node));
-    offsets_.push_back(offset_ += static_cast<std::int32_t>(cell.size()));
+    for (const Index node : cell) {
+      connectivity_.push_back(node);
+      if (node >= nodes_) nodes_ = std::size_t(node) + 1, cell_of_last_ = size();
+    }
+    sizes_.push_back(static_cast<std::uint8_t>(cell.size()));
     kinds_.push_back(kind);
-    ++size_;
   }
-  std::size_t size() const { return size_; }
-  void write(Xml& xml) const {
-    connectivity_.write(xml, "connectivity");
-    offsets_.write(xml, "offsets");
-    kinds_.write(xml, "types");
+  std::size_t size() const { return sizes_.size(); }
+  /// Error: a cell names a node that is not among so many.
+  [[gnu::cold]] void check_nodes(std::size_t count, const std::string& path) const {
+    if (nodes_ > count)
+      throw Error(joined({"strike: the VTU file '", path, "' has ", std::to_string(count), " nodes, but cell ",
+                          std::to_string(cell_of_last_), " names node ", std::to_string(nodes_ - 1),
+                          ": give nodes below ", std::to_string(count), "."}));
+  }
+  /// In 32 bits as far as these hold the numbers, or in 64.
+  void write(Xml& xml, std::size_t most = std::numeric_limits<std::int32_t>::max()) const {
+    if (connectivity_.size() <= most && nodes_ <= most)
+      write_as<std::int32_t>(xml);
+    else
+      write_as<std::int64_t>(xml);
   }
 
  private:
-  DataArray<std::int32_t> connectivity_, offsets_;
-  DataArray<std::uint8_t> kinds_;
-  std::int32_t offset_ = 0;
-  std::size_t size_ = 0;
+  template <class Number>
+  void write_as(Xml& xml) const {
+    DataArray<Number> connectivity, offsets;
+    for (const Index node : connectivity_) connectivity.push_back(static_cast<Number>(node));
+    Number offset = 0;
+    for (const std::uint8_t corners : sizes_) offsets.push_back(offset = static_cast<Number>(offset + corners));
+    DataArray<std::uint8_t> kinds;
+    for (const std::uint8_t kind : kinds_) kinds.push_back(kind);
+    connectivity.write(xml, "connectivity");
+    offsets.write(xml, "offsets");
+    kinds.write(xml, "types");
+  }
+
+  std::vector<Index> connectivity_;
+  std::vector<std::uint8_t> sizes_, kinds_;
+  std::size_t nodes_ = 0, cell_of_last_ = 0;  ///< one more than the largest node, and its cell
 };
 
 [[gnu::cold]] inline void write_vtu(const std::string& path, double time, const Rows& positions, const VtuCells& cells,
                                     const std::vector<Field>& node_fields, const std::vector<Field>& cell_fields) {
   const std::size_t nodes = positions.size();
+  cells.check_nodes(nodes, path);
   DataArray<double> time_value;
   time_value.push_back(time);
 
@@ -172,7 +207,8 @@ class VtuCells {
 /// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the
 /// cells of the mesh (hexahedra, then tetrahedra, then quadrilaterals), fields by node and by cell in the same order.
 /// Fields of 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file appears
-/// whole or not at all. Errors: numbers of rows that do not fit; a file that cannot be written.
+/// whole or not at all. Errors: numbers of rows that do not fit; a cell with a node that is not there; a field without
+/// a name, or two of the same; a file that cannot be written.
 [[gnu::cold]] inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
                                     const std::vector<Field>& node_fields = {},
                                     const std::vector<Field>& cell_fields = {}) {
@@ -222,11 +258,17 @@ void write_vtu(const std::string& path, const Run& run) {
 class VtuSeries {
  public:
   /// `stem` is the path without extension, e.g. "out/taylor".
-  explicit VtuSeries(std::string stem) : stem_(std::move(stem)) {}
+  /// Error: its name is not in UTF-8, or has control characters, so that no list could name the files.
+  explicit VtuSeries(std::string stem) : stem_(std::move(stem)) {
+    if (!detail::is_plain_text(name()))
+      throw Error(detail::joined(
+          {"strike: the film '", stem_, "' has bytes in its name that are no text in UTF-8: give it another name."}));
+  }
 
   /// Adds one time; see `write_vtu`. Fields may be listed in place: `{{"velocity", v}}, {{"plastic strain", eps}}`.
   [[gnu::cold]] void write(double time, const Mesh& mesh, const Rows& positions,
                            const std::vector<Field>& node_fields = {}, const std::vector<Field>& cell_fields = {}) {
+    check(time);
     write_vtu(stem_ + number(times_.size()), time, mesh, positions, node_fields, cell_fields);
     times_.push_back(time);
     write_lists();
@@ -234,6 +276,7 @@ class VtuSeries {
   /// Adds the state of a run: velocities, parts, stresses and plastic strains, see `write_vtu`.
   template <class Run>
   void write(const Run& run) {
+    check(run.time());
     write_vtu(stem_ + number(times_.size()), run);
     times_.push_back(run.time());
     write_lists();
@@ -248,6 +291,13 @@ class VtuSeries {
   }
 
  private:
+  /// Name of the files, relative to the lists.
+  std::string name() const { return stem_.substr(stem_.rfind('/') + 1); }
+  [[gnu::cold]] void check(double time) const {
+    if (!std::isfinite(time))
+      throw Error(
+          detail::joined({"strike: the film '", stem_, "' got the time ", detail::text(time), ": give a finite one."}));
+  }
   [[gnu::cold]] static std::string number(std::size_t k) {
     char text[32];
     std::snprintf(text, sizeof text, "_%04zu.vtu", k);
@@ -255,13 +305,13 @@ class VtuSeries {
   }
 
   [[gnu::cold]] void write_lists() const {
-    const std::string name = stem_.substr(stem_.rfind('/') + 1);  // relative to the lists
     detail::Xml list;
     std::string series;
     for (std::size_t k = 0; k < times_.size(); ++k) {
-      const std::string t = detail::shortest(times_[k]), file = name + number(k);
+      const std::string t = detail::shortest(times_[k]), file = name() + number(k);
       list.element("DataSet", {{"timestep", t}, {"part", 0}, {"file", file}});
-      series += detail::joined({k > 0 ? ",\n" : "", "{ \"name\": \"", file, "\", \"time\": ", t, " }"});
+      series +=
+          detail::joined({k > 0 ? ",\n" : "", "{ \"name\": \"", detail::json_escaped(file), "\", \"time\": ", t, " }"});
     }
     detail::replace_file(stem_ + ".pvd",
                          detail::joined({"<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"

@@ -1,5 +1,6 @@
 #pragma once
 #include <charconv>
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -20,10 +21,49 @@ namespace strike::detail {
   return digits == "-0" ? "0" : digits;
 }
 
-/// Text for XML: & < > and quotes as entities.
+/// Size of the character that a text in UTF-8 starts with (RFC 3629); 0 if it is none, or none that XML 1.0 allows.
+[[gnu::cold]] inline std::size_t character_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return first >= ' ' || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  unsigned code = first & (0x7fu >> size);
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3f);
+  }
+  const bool shortest = code >= (size == 2 ? 0x80u : size == 3 ? 0x800u : 0x10000u);
+  const bool is_character = code < 0xd800 || (code > 0xdfff && code < 0xfffe) || (code > 0xffff && code < 0x110000);
+  return (first & 0xc0) == 0xc0 && first < 0xf8 && shortest && is_character ? size : 0;
+}
+/// True if a text is UTF-8 without control characters.
+[[gnu::cold]] inline bool is_plain_text(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = static_cast<unsigned char>(text[0]) < ' ' ? 0 : character_size(text);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
+/// Text for XML: & < > quotes, tabs and line ends as entities, and U+FFFD for each byte that XML does not allow.
 [[gnu::cold]] inline std::string xml_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : text) switch (c) {
+  for (std::size_t at = 0, size = 0; at < text.size(); at += size) {
+    size = character_size(text.substr(at));
+    if (size != 1) {
+      escaped += size > 1 ? text.substr(at, size) : std::string_view("\xEF\xBF\xBD");
+      size += size == 0;
+      continue;
+    }
+    switch (const char c = text[at]) {
+      case '\t':
+      case '\n':
+      case '\r':
+        escaped += joined({"&#", std::to_string(int(c)), ";"});
+        break;
       case '&':
         escaped += "&amp;";
         break;
@@ -39,6 +79,16 @@ namespace strike::detail {
       default:
         escaped += c;
     }
+  }
+  return escaped;
+}
+/// Plain text for a string of JSON.
+[[gnu::cold]] inline std::string json_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
   return escaped;
 }
 

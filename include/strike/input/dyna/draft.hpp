@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -36,13 +37,22 @@ struct PendingContact {
   std::uint32_t line;
 };
 
+/// A set of nodes that names others by their parts or sets.
+struct PendingSet {
+  FileNumber number;
+  std::string name;
+  std::vector<Choice> choices;
+};
+
 /// The input, keyword by keyword; `resolved` makes a deck of it.
 struct Draft {
   DynaDeck deck = {};
   RawMesh raw = {};
   std::map<FileNumber, std::uint32_t> parts = {};  ///< their places in the deck
   std::vector<RawMesh::Set> part_sets = {};
-  std::vector<Pending<SupportCard>> node_supports = {};  ///< one for each way of being held
+  std::vector<PendingSet> general_sets = {};
+  std::map<std::pair<std::string_view, FileNumber>, std::uint32_t> defined = {};  ///< lines of cards by kind, number
+  std::vector<Pending<SupportCard>> node_supports = {};                           ///< one for each way of being held
   std::vector<Pending<SupportCard>> set_supports = {};
   std::vector<Pending<VelocityCard>> velocities = {};
   std::vector<Pending<WallCard>> walls = {};
@@ -56,6 +66,15 @@ struct Draft {
       raw.parts.push_back({number, {}, {}});
     }
     return place->second;
+  }
+  /// The number that a card defines. Errors: it has none; another card of its kind has it.
+  FileNumber own_number(std::string_view kind, Card& card, const File& file) {
+    const FileNumber number = card.own_tag(joined({"the number of a ", kind}), kind);
+    const auto [known, is_new] = defined.try_emplace({kind, number}, file.line());
+    if (!is_new)
+      file.refuse({kind, " ", std::to_string(number), " is on line ", std::to_string(known->second),
+                   " already: give each a number of its own."});
+    return number;
   }
   void support_node(const SupportCard& way, const Choice& node) {
     const auto known = std::find_if(node_supports.begin(), node_supports.end(), [&](const auto& support) {

@@ -11,7 +11,7 @@
 
 namespace strike::detail::dyna {
 
-/// A data line: fields of fixed widths, or between commas. A field that is blank or missing has the fallback.
+/// A data line: fields of fixed widths, or between commas. A field that is 0, blank or missing has the fallback.
 class Card {
  public:
   Card(std::string_view line, const Source& source)
@@ -25,11 +25,13 @@ class Card {
   }
   double number(std::string_view meaning, double fallback = 0, std::size_t width = 10) {
     const std::string_view field = text(width);
-    return field.empty() ? fallback : source_->number(field, meaning);
+    const double value = field.empty() ? 0 : source_->number(field, meaning);
+    return value == 0 ? fallback : value;
   }
   FileNumber integer(std::string_view meaning, FileNumber fallback = 0, std::size_t width = 10) {
     const std::string_view field = text(width);
-    return field.empty() ? fallback : source_->integer(field, meaning);
+    const FileNumber value = field.empty() ? 0 : source_->integer(field, meaning);
+    return value == 0 ? fallback : value;
   }
   /// The number of a node, part or card in the file; 0 for none, if it is blank.
   FileNumber tag(std::string_view meaning, std::size_t width = 10) {
@@ -39,7 +41,7 @@ class Card {
   /// The number that the card defines.
   FileNumber own_tag(std::string_view meaning, std::string_view thing, std::size_t width = 10) {
     const FileNumber number = tag(meaning, width);
-    if (number == 0) source_->refuse({"a ", thing, " has no number: number from 1."});
+    if (number == 0) source_->refuse({thing[0] == 'e' ? "an " : "a ", thing, " has no number: number from 1."});
     return number;
   }
   double positive(std::string_view meaning) {
@@ -59,7 +61,7 @@ class Card {
   bool is_blank() const { return rest().empty(); }
   /// True if a field that was not read is neither blank nor 0.
   bool says_more() {
-    while (!is_blank())
+    while (!rest_.empty())
       if (const std::string_view field = text(); !field.empty() && to_number(field) != 0.0) return true;
     return false;
   }
@@ -97,6 +99,13 @@ class File {
     skipped_.add(name_.substr(0, 60), source_.line());
     is_skipped_ = true;
   }
+  /// Counts the elements of a keyword that is not read, a line each.
+  void ignore_elements() {
+    is_skipped_ = true;
+    for_each_card([&](const Card&) { ignored_.add(joined({"Elements of ", base_}), source_.line()); });
+  }
+  /// The first keyword with this beginning that was skipped, with its line; empty if there is none.
+  std::string skipped(std::string_view beginning) const { return skipped_.place_of(beginning); }
 
   /// The next card of the keyword; a blank one if there is none.
   Card card() {
@@ -114,10 +123,23 @@ class File {
     while (next_line(line))
       if (!trimmed(line).empty()) f(Card(line, source_));
   }
+  /// Calls f with each heading, which may be blank, and the card after it.
+  template <class F>
+  void for_each_headed_card(F f) {
+    std::string_view heading, line;
+    while (next_line(heading)) {
+      line = {};
+      next_line(line);
+      if (!trimmed(heading).empty() || !trimmed(line).empty()) f(trimmed(heading), Card(line, source_));
+    }
+  }
   /// Calls f with each card that is left, of a keyword with _TITLE or _ID after its title.
   template <class F>
   void for_each_titled_card(F f) {
-    for_each_card([&](const Card& first) { f(titled_ ? card() : first); });
+    if (titled_)
+      for_each_headed_card([&](std::string_view, const Card& card) { f(card); });
+    else
+      for_each_card(f);
   }
   /// The next line as a text.
   std::string heading() { return std::string(card().rest()); }
@@ -141,6 +163,7 @@ class File {
 
   void tell(std::vector<std::string>& warnings) const {
     skipped_.tell(warnings, " was skipped: ");
+    ignored_.tell(warnings, " were ignored: ");
     values_.tell(warnings, " had no effect: ");
   }
 
@@ -165,9 +188,12 @@ class File {
     name_ = line.substr(0, line.find_first_of(" \t,"));
     is_skipped_ = false;
     if (name_.back() == '-') name_.pop_back();
-    const auto has = [&](std::string_view option) { return line.find(option) != line.npos; };
-    if (name_.ends_with('+') || name_.ends_with('%') || has(" %") ||
-        (name_ == "*KEYWORD" && (has("LONG=Y") || has("I10=Y"))))
+    std::string packed;
+    for (const char c : line)
+      if (!detail::is_blank(c)) packed += c;
+    const auto has = [&](std::string_view option) { return packed.find(option) != packed.npos; };
+    if (packed.ends_with('+') || packed.ends_with('%') ||
+        (name_ == "*KEYWORD" && (has("LONG=Y") || has("LONG=K") || has("I10=Y"))))
       refuse({"the file is in the long or the I10 format: write it in the standard one."});
     if (name_.starts_with("*INCLUDE")) refuse({name_, " is not followed: put the text of that file here."});
     base_ = name_;
@@ -184,7 +210,7 @@ class File {
   Source source_;
   std::string name_ = {}, base_ = {};
   bool titled_ = false, is_skipped_ = false;
-  Skipped skipped_ = {}, values_ = {};
+  Skipped skipped_ = {}, ignored_ = {}, values_ = {};
 };
 
 }  // namespace strike::detail::dyna

@@ -8,25 +8,27 @@
 // Supports, initial velocities, rigid walls and contacts.
 namespace strike::detail::dyna {
 
-inline std::pair<SupportCard, Choice> support(Card card, Named named, File& file) {
-  const Choice choice{named, card.own_tag(named == Named::node ? "NID" : "NSID", "support"), file.line()};
-  file.ignore(card.number("CID"), "CID");
-  SupportCard support{};
-  for (bool& held : support.held) held = card.integer("DOFX to DOFZ") != 0;
-  for (bool& held : support.held_turns) held = card.integer("DOFRX to DOFRZ") != 0;
-  return {support, choice};
+/// Calls f with each support and the choice of its nodes; a line of zeros is none.
+template <class F>
+void supports(Named named, File& file, F f) {
+  file.for_each_titled_card([&](Card card) {
+    const char* const field = named == Named::node ? "NID" : "NSID";
+    const Choice choice{named, card.tag(field), file.line()};
+    const double system = card.number("CID");
+    file.ignore(system, "CID");
+    SupportCard support{};
+    bool holds = system != 0;
+    for (auto* const degrees : {&support.held, &support.held_turns})
+      for (bool& held : *degrees) holds |= held = card.integer("DOFX to DOFRZ") != 0;
+    if (choice.number == 0 && holds) file.refuse({"a support has no ", field, ": give it one."});
+    if (choice.number != 0) f(support, choice);
+  });
 }
 inline void node_supports(File& file, Draft& draft) {
-  file.for_each_titled_card([&](const Card& card) {
-    const auto [way, node] = support(card, Named::node, file);
-    draft.support_node(way, node);
-  });
+  supports(Named::node, file, [&](const auto& way, const Choice& node) { draft.support_node(way, node); });
 }
 inline void set_supports(File& file, Draft& draft) {
-  file.for_each_titled_card([&](const Card& card) {
-    const auto [way, set] = support(card, Named::set, file);
-    draft.set_supports.push_back({way, {set}});
-  });
+  supports(Named::set, file, [&](const auto& way, const Choice& set) { draft.set_supports.push_back({way, {set}}); });
 }
 
 /// The nodes of a set, or all if it has no number.

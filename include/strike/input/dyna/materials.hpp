@@ -17,10 +17,10 @@ struct MaterialHead {
   FileNumber number;
   double density;
 };
-inline MaterialHead material_head(File& file) {
+inline MaterialHead material_head(File& file, Draft& draft) {
   std::string title = file.title();
   Card card = file.card();
-  const FileNumber number = card.tag("MID");
+  const FileNumber number = draft.own_number("material", card, file);
   const double density = card.positive("RO");
   return {std::move(title), card, number, density};
 }
@@ -50,24 +50,31 @@ inline PlasticMaterial plastic(const Elastic& m, double yield, double tangent, d
   if (D > 0 && p > 0) strength.rate_factor = std::pow(D, -1 / p), strength.rate_exponent = 1 / p;
   return {{m.density, m.bulk_modulus()}, strength};
 }
-/// Cards of eight strains or stresses, which have no counterpart.
-inline void ignore_table(File& file, std::string_view what, int cards) {
+/// Cards of eight strains or stresses, which have no counterpart. True if there are any.
+inline bool ignore_table(File& file, std::string_view what, int cards) {
+  bool any = false;
   for (; cards > 0; --cards) {
     Card card = file.card();
     double sum = 0;
     for (int i = 0; i < 8; ++i) sum += std::abs(card.number("a point of the table"));
     file.ignore(sum, what);
+    any |= sum != 0;
   }
+  return any;
+}
+inline void expect_yield_stress(double yield, bool has_curve, const File& file) {
+  if (yield == 0 && has_curve)
+    file.refuse({"SIGY is 0, and the curve in its place is not read: give the material its SIGY and tangent."});
 }
 
 inline void elastic(File& file, Draft& draft) {
-  MaterialHead head = material_head(file);
+  MaterialHead head = material_head(file, draft);
   const Elastic material = elastic_of(head, file);
   file.ignore_rest(head.card);
   add(file, draft, head, material);
 }
 inline void plastic_kinematic(File& file, Draft& draft) {
-  MaterialHead head = material_head(file);
+  MaterialHead head = material_head(file, draft);
   const Elastic m = elastic_of(head, file);
   const double yield = head.card.number("SIGY"), tangent = head.card.number("ETAN"), beta = head.card.number("BETA");
   if (tangent != 0) file.ignore(1 - beta, "BETA (hardening is isotropic here)");
@@ -79,30 +86,32 @@ inline void plastic_kinematic(File& file, Draft& draft) {
   add(file, draft, head, material);
 }
 inline void piecewise_plastic(File& file, Draft& draft) {
-  MaterialHead head = material_head(file);
+  MaterialHead head = material_head(file, draft);
   const Elastic m = elastic_of(head, file);
   const double yield = head.card.number("SIGY"), tangent = head.card.number("ETAN"), fails = head.card.number("FAIL");
   Card rate = file.card();
   const double D = rate.number("C"), p = rate.number("P");
   PlasticMaterial material = plastic(m, yield, tangent, D, p, file);
   material.failure = failure_at(fails);
-  file.ignore(rate.number("LCSS"), "LCSS (SIGY and ETAN are taken)");
+  const double curve = rate.number("LCSS");
+  file.ignore(curve, "LCSS (SIGY and ETAN are taken)");
   file.ignore(rate.number("LCSR"), "LCSR");
   file.ignore_rest(head.card, rate);
-  ignore_table(file, "EPS and ES (SIGY and ETAN are taken)", 2);
+  const bool has_table = ignore_table(file, "EPS and ES (SIGY and ETAN are taken)", 2);
+  expect_yield_stress(yield, has_table || curve != 0, file);
   add(file, draft, head, material);
 }
 inline void plastic_hydro(File& file, Draft& draft) {
-  MaterialHead head = material_head(file);
+  MaterialHead head = material_head(file, draft);
   const double G = head.card.positive("G"), yield = head.card.number("SIGY"), hardening = head.card.number("EH");
   const double cutoff = head.card.number("PC");
   const HydroMaterial material{head.density, {G, yield, hardening}, failure_at(head.card.number("FS"))};
   file.ignore_rest(head.card);
-  ignore_table(file, "EPS and ES (SIGY and EH are taken)", 4);
+  expect_yield_stress(yield, ignore_table(file, "EPS and ES (SIGY and EH are taken)", 4), file);
   add(file, draft, head, material, cutoff);
 }
 inline void johnson_cook(File& file, Draft& draft) {
-  MaterialHead head = material_head(file);
+  MaterialHead head = material_head(file, draft);
   double G = head.card.number("G");
   const double E = head.card.number("E"), ratio = poissons_ratio(head.card, file);
   if (G == 0) G = E / (2 * (1 + ratio));
@@ -126,7 +135,7 @@ inline void johnson_cook(File& file, Draft& draft) {
   add(file, draft, head, material, cutoff);
 }
 inline void null(File& file, Draft& draft) {
-  MaterialHead head = material_head(file);
+  MaterialHead head = material_head(file, draft);
   const double cutoff = head.card.number("PC");
   const NullMaterial material{head.density, head.card.number("MU")};
   file.ignore(head.card.number("TEROD"), "TEROD");
@@ -137,7 +146,7 @@ inline void null(File& file, Draft& draft) {
 inline void linear_polynomial(File& file, Draft& draft) {
   file.title();
   Card card = file.card();
-  const FileNumber number = card.tag("EOSID");
+  const FileNumber number = draft.own_number("equation of state", card, file);
   PolynomialEos eos{.density = 0};
   for (double* C : {&eos.C0, &eos.C1, &eos.C2, &eos.C3, &eos.C4, &eos.C5, &eos.C6}) *C = card.number("C0 to C6");
   Card start = file.card();
@@ -149,7 +158,7 @@ inline void linear_polynomial(File& file, Draft& draft) {
 inline void gruneisen(File& file, Draft& draft) {
   file.title();
   Card card = file.card();
-  const FileNumber number = card.tag("EOSID");
+  const FileNumber number = draft.own_number("equation of state", card, file);
   GruneisenEos eos{.density = 0, .sound_speed = card.positive("C"), .S1 = card.number("S1"), .gamma = 0};
   eos.S2 = card.number("S2"), eos.S3 = card.number("S3"), eos.gamma = card.number("GAMAO"), eos.a = card.number("A");
   eos.initial_energy = card.number("E0");

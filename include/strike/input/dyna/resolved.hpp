@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,66 +17,86 @@ namespace strike::detail::dyna {
 /// Nodes and parts that cards name, in a deck that is complete but for them.
 class Lookup {
  public:
-  Lookup(const Finished& mesh, const DynaDeck& deck, const std::map<FileNumber, std::uint32_t>& parts,
-         const Source& source)
-      : mesh_(mesh), deck_(deck), parts_(parts), source_(source) {
-    for (const NamedSet& set : deck.node_sets) node_sets_.try_emplace(set.number, &set);
+  Lookup(Finished& mesh, const DynaDeck& deck, const std::map<FileNumber, std::uint32_t>& parts, const File& file)
+      : mesh_(mesh), deck_(deck), parts_(parts), file_(file) {
+    for (const NamedSet& set : deck.node_sets) add(set);
     for (const NamedSet& set : deck.part_sets) part_sets_.try_emplace(set.number, &set);
   }
+  void add(const NamedSet& node_set) { node_sets_.try_emplace(node_set.number, &node_set); }
 
   /// The chosen nodes by their numbers in the mesh, in ascending order.
   std::vector<Index> nodes(std::span<const Choice> choices) const {
     std::vector<Index> nodes;
-    const auto add = [&](const std::vector<Index>& more) { nodes.insert(nodes.end(), more.begin(), more.end()); };
-    for (const Choice& choice : choices) switch (choice.named) {
+    const auto add = [&](const std::vector<Index>& more, std::uint32_t line) {
+      mesh_.allowance.take(more.size(), line);
+      nodes.insert(nodes.end(), more.begin(), more.end());
+    };
+    std::set<std::pair<Named, FileNumber>> seen;
+    for (const Choice& choice : choices) {
+      if (choice.named != Named::node && !seen.emplace(choice.named, choice.number).second) continue;
+      switch (choice.named) {
         case Named::all:
-          add(all_nodes(deck_.mesh.nodes));
+          add(all_nodes(deck_.mesh.nodes), choice.line);
           break;
         case Named::node:
-          if (const Index n = mesh_.node(choice.number, source_, choice.line); n != nothing) nodes.push_back(n);
+          if (const Index n = mesh_.node(choice.number, file_.source(), choice.line); n != nothing) nodes.push_back(n);
           break;
         case Named::set:
-          add(found(node_sets_, choice, "the set of nodes")->members);
+          add(found(node_sets_, choice, "the set of nodes", "*SET_NODE")->members, choice.line);
           break;
         default:
-          for (const Index part : parts(choice)) add(deck_.cells(deck_.parts[part].members).nodes());
+          for (const Index part : parts(choice)) {
+            const std::vector<Index>& cells = deck_.parts[part].members;
+            mesh_.allowance.take(8 * cells.size(), choice.line);
+            add(deck_.cells(cells).nodes(), choice.line);
+          }
       }
+    }
     return ascending(std::move(nodes));
   }
   /// The places of a part, or of the parts of a set.
   std::vector<Index> parts(const Choice& choice) const {
-    if (choice.named == Named::part) return {found(parts_, choice, "part")};
-    return found(part_sets_, choice, "the set of parts")->members;
+    if (choice.named == Named::part) return {found(parts_, choice, "part", "*PART")};
+    const std::vector<Index>& members = found(part_sets_, choice, "the set of parts", "*SET_PART")->members;
+    mesh_.allowance.take(members.size(), choice.line);
+    return members;
   }
 
  private:
   template <class Value>
-  Value found(const std::map<FileNumber, Value>& things, const Choice& choice, const char* kind) const {
+  Value found(const std::map<FileNumber, Value>& things, const Choice& choice, const char* kind,
+              const char* keyword) const {
     const auto thing = things.find(choice.number);
-    if (thing == things.end())
-      source_.refuse(choice.line,
-                     {kind, " ", std::to_string(choice.number), " is not in the file: define it or correct the card."});
-    return thing->second;
+    if (thing != things.end()) return thing->second;
+    const std::string skipped = file_.skipped(keyword);
+    file_.source().refuse(
+        choice.line, {kind, " ", std::to_string(choice.number),
+                      skipped.empty() ? " is not in the file" : " is not among those read (", skipped,
+                      skipped.empty() ? "" : " was skipped)", ": define it before this card or correct the card."});
   }
 
-  const Finished& mesh_;
+  Finished& mesh_;
   const DynaDeck& deck_;
   const std::map<FileNumber, std::uint32_t>& parts_;
-  const Source& source_;
+  const File& file_;
   std::map<FileNumber, const NamedSet*> node_sets_ = {}, part_sets_ = {};
 };
 
-inline std::vector<NamedSet> part_sets(Draft& draft, const Source& source) {
+inline std::vector<NamedSet> part_sets(Draft& draft, const Source& source, Allowance& allowance) {
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : draft.part_sets) {
     NamedSet named{set.number, std::move(set.name), {}};
     for (const RawMesh::Sequence& numbers : set.sequences) {
-      const auto part = draft.parts.find(numbers.first);
-      if (part == draft.parts.end())
+      if (numbers.first == numbers.last && !draft.parts.contains(numbers.first))
         source.refuse(numbers.line,
                       {"part ", std::to_string(numbers.first), " is not in the file: take it off the set."});
-      named.members.push_back(part->second);
     }
+    for (const RawMesh::Sequence& numbers : merged(std::move(set.sequences)))
+      for (auto part = draft.parts.lower_bound(numbers.first); part != draft.parts.end() && part->first <= numbers.last;
+           ++part) {
+        allowance.take(1, numbers.line);
+        named.members.push_back(part->second);
+      }
     all.push_back(std::move(named));
   }
   return all;
@@ -101,9 +122,14 @@ inline DynaDeck resolved(Draft draft, File& file) {
   DynaDeck& deck = draft.deck;
   mesh.deck.title = std::move(deck.title);
   static_cast<Deck&>(deck) = std::move(mesh.deck);
-  deck.part_sets = part_sets(draft, file.source());
+  deck.part_sets = part_sets(draft, file.source(), mesh.allowance);
 
-  const Lookup lookup(mesh, deck, draft.parts, file.source());
+  deck.node_sets.reserve(deck.node_sets.size() + draft.general_sets.size());  // lookup points to them
+  Lookup lookup(mesh, deck, draft.parts, file);
+  for (PendingSet& set : draft.general_sets) {
+    deck.node_sets.push_back({set.number, std::move(set.name), lookup.nodes(set.choices)});
+    lookup.add(deck.node_sets.back());
+  }
   const auto add = [&](auto& cards, auto& pending) {
     for (auto& [card, choices] : pending) {
       card.nodes = lookup.nodes(choices);

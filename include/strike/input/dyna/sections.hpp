@@ -6,16 +6,30 @@
 // Sections, hourglass control, and the title, end time and step factor of the run.
 namespace strike::detail::dyna {
 
+/// Cards of a user's element: points and constants.
+inline void pass_user_cards(FileNumber form, File& file) {
+  if (form < 101 || form > 105) return;
+  Card head = file.card();
+  const FileNumber points = head.integer("NIP");
+  head.pass(3);
+  const FileNumber constants = head.integer("LMC");
+  file.ignore(1, "The element of the user");
+  for (FileNumber left = points; left > 0 && file.pass_card(); --left) {
+  }
+  for (FileNumber left = constants; left > 0 && file.pass_card(); left -= 8) {
+  }
+}
 inline void solid_section(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
-    const FileNumber number = card.tag("SECID");
-    draft.deck.sections.push_back(
-        {.number = number, .element_form = card.integer("ELFORM", 1), .corner_thickness = {}});
+    const FileNumber number = draft.own_number("section", card, file), form = card.integer("ELFORM", 1);
+    draft.deck.sections.push_back({.number = number, .element_form = form, .corner_thickness = {}});
+    pass_user_cards(form, file);
   });
 }
 inline void shell_section(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
-    SectionCard section{.number = card.tag("SECID"), .element_form = card.integer("ELFORM", 2), .corner_thickness = {}};
+    const FileNumber number = draft.own_number("section", card, file);
+    SectionCard section{.number = number, .element_form = card.integer("ELFORM", 2), .corner_thickness = {}};
     section.shear_factor = card.number("SHRF", 1);
     section.points = card.integer("NIP", 2);
     card.pass(1);
@@ -33,11 +47,13 @@ inline void shell_section(File& file, Draft& draft) {
       }
     }
     draft.deck.sections.push_back(section);
+    pass_user_cards(section.element_form, file);
   });
 }
 inline void hourglass(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
-    HourglassCard control{.number = card.tag("HGID"), .type = card.integer("IHQ", 1)};
+    const FileNumber number = draft.own_number("hourglass control", card, file);
+    HourglassCard control{.number = number, .type = card.integer("IHQ", 1)};
     control.coefficient = card.number("QM", 0.1);
     card.pass(1);
     control.quadratic = card.number("Q1", 1.5);
