@@ -181,6 +181,7 @@ class ContactNodes {
 
   template <class Archive>
   void serialize(Archive& archive) {
+    archive.same(number_);
     archive(x, normal_impulse, friction_impulse, touched_, is_touched_, beside_, squared_first_step_);
   }
 

@@ -153,6 +153,7 @@ class PlaneContact {
 
   template <class Archive>
   void serialize(Archive& archive) {
+    archive.same(point_, normal_, nodes_);
     archive(force_, impulse_, kick_, inside_, touches_, beside_);
   }
 

@@ -38,6 +38,7 @@ class Surface {
 
     template <class Archive>
     void serialize(Archive& archive) {
+      archive.same(thickness, cells, erodes);
       archive(faces, of_cells);
     }
   };

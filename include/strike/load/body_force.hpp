@@ -31,6 +31,7 @@ class BodyForce {
 
   template <class Archive>
   void serialize(Archive& archive) {
+    archive.same(acceleration_);
     archive(now_);
   }
 

@@ -34,6 +34,7 @@ class NodalForce {
 
   template <class Archive>
   void serialize(Archive& archive) {
+    archive.same(force_, nodes_);
     archive(now_);
   }
 

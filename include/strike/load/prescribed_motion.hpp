@@ -59,7 +59,9 @@ class PrescribedMotion {
   }
 
   template <class Archive>
-  void serialize(Archive&) {}
+  void serialize(Archive& archive) {
+    archive.same(direction_, nodes_);
+  }
 
  private:
   Eigen::Vector3d direction_;

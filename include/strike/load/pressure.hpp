@@ -47,6 +47,7 @@ class Pressure {
 
   template <class Archive>
   void serialize(Archive& archive) {
+    for (const Face& face : faces_) archive.same(face.nodes);
     archive(forces_);
   }
 

@@ -43,7 +43,9 @@ class Support {
   }
 
   template <class Archive>
-  void serialize(Archive&) {}
+  void serialize(Archive& archive) {
+    archive.same(nodes_, directions_, axes_);
+  }
 
  private:
   struct Hold {
