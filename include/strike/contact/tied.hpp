@@ -82,7 +82,7 @@ class Tied {
   {
     all_.gather(nodes, Serial{});
     all_.find_held_directions(nodes);
-    all_.gather_forces(nodes, ties_, step.kick());
+    all_.gather_forces(nodes, ties_, step.kick(), Serial{});
     double fastest = 0;
     for (const auto& v : all_.v) fastest = std::max(fastest, v.norm());
     sweeps_ = 0;
@@ -91,7 +91,7 @@ class Tied {
       left = 0;
       for (std::size_t k = 0; k < ties_.size(); ++k) left = std::max(left, pull(k, step.dt));
     }
-    all_.scatter(nodes, ledger);
+    all_.scatter(nodes, ledger, Serial{});
     step_ = step;
     break_ties();
   }
