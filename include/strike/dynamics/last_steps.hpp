@@ -14,7 +14,7 @@ namespace strike::detail {
 inline double step_to_end(double dt, double left, double growth) {
   const double steps = std::ceil(left / dt * (1 - 1e-9));  // but for rounding
   if (steps <= 1) return left;
-  return steps <= 2 || steps * (growth - 1) <= 1 ? left / steps : dt;
+  return steps <= 2 || steps * (growth - 1) < 1 + 1e-9 ? left / steps : dt;
 }
 
 /// The end to which a run is on its way, as long as it is.
