@@ -58,7 +58,7 @@ class Culprit {
 
   bool is_any_nan() const {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (of(nodes_.x(i)).hasNaN() || of(nodes_.v(i)).hasNaN() || of(nodes_.f(i)).hasNaN()) return true;
+      if (!of(nodes_.x(i)).allFinite() || of(nodes_.v(i)).hasNaN() || of(nodes_.f(i)).hasNaN()) return true;
     return !of_elements().empty() || turns_by_nan();
   }
   bool turns_by_nan() const {
@@ -93,6 +93,7 @@ class Culprit {
   }
   std::string of_elements() const {
     std::string found;
+    if (!has_positions()) return found;
     each_item([&](auto& item, const std::string&) {
       if constexpr (requires { item.describe_nan(nodes_); }) {
         if (!found.empty()) return;
