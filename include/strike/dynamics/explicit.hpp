@@ -180,7 +180,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
       give_up(detail::joined({"the time step has fallen to ", detail::text(dt), " because of ", this->describe(stable_),
                               "; refine the mesh there, let the material fail, or allow it by `.smallest_step`"}));
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
-    dt = detail::step_to_end(dt, left_of_run / static_cast<double>(cycle_.multiple()), options_.step_growth);
+    dt = detail::step_to_end(dt, left_of_run / static_cast<double>(cycle_.multiple()));
     step_ = {step_.number + 1, clock_.time(), before, dt,
              std::isfinite(stable_.of_elements) ? stable_.of_elements : dt};
   }
@@ -255,7 +255,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
         try {
           mine = cycle_.compute_forces(part, this->nodes_, step_.dt, ledger_, execution_);
         } catch (const Error& error) {
-          const std::string nan = culprit().of_nan();
+          const std::string nan = culprit().of_lost_position();
           give_up(nan.empty() ? error.what() : nan);
         }
         if (mine.dt < stable_.dt) stable_ = mine;

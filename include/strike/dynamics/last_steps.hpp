@@ -8,13 +8,13 @@
 
 namespace strike::detail {
 
-/// The step with which whole steps fill what is left of a run. Steps that differ much from the one before cost balance,
-/// so that none is shorter than dt by a larger share than by which it may grow: 1 step of 20 left over is spread over
-/// these 20.
-inline double step_to_end(double dt, double left, double growth) {
+/// The next step of a run that whole steps lead to its end. Waves near the frequency 2/dt of the step change their
+/// energy by the share of dt by which the step changes, all at once or little by little, so that what is left over of a
+/// step is spread over the last 50: none of them is shorter by more than a fiftieth.
+inline double step_to_end(double dt, double left) {
   const double steps = std::ceil(left / dt * (1 - 1e-9));  // but for rounding
   if (steps <= 1) return left;
-  return steps <= 2 || steps * (growth - 1) < 1 + 1e-9 ? left / steps : dt;
+  return steps <= 50 ? left / steps : dt;
 }
 
 /// The end to which a run is on its way, as long as it is.

@@ -40,6 +40,8 @@ class Culprit {
       if (!found.empty()) return found;
     return {};
   }
+  /// The same if a position is not finite; an element that is inverted may spoil its own state.
+  std::string of_lost_position() { return has_positions() ? std::string{} : of_nan(); }
   /// A load that tells another power than that of its forces; empty: there is none.
   std::string of_power() {
     std::string found;

@@ -1,5 +1,5 @@
 #pragma once
-#include <cmath>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,9 +34,11 @@ class InitialVelocity {
   explicit InitialVelocity(Eigen::Vector3d velocity) : velocity_(std::move(velocity)), everywhere_(true) {}
   InitialVelocity(Eigen::Vector3d velocity, std::vector<Index> nodes)
       : velocity_(std::move(velocity)), nodes_(std::move(nodes)) {}
-  InitialVelocity(Eigen::Vector3d velocity, const Spin& spin)
+  template <std::same_as<Spin> S>
+  InitialVelocity(Eigen::Vector3d velocity, const S& spin)
       : velocity_(std::move(velocity)), spin_(spin), everywhere_(true) {}
-  InitialVelocity(Eigen::Vector3d velocity, const Spin& spin, std::vector<Index> nodes)
+  template <std::same_as<Spin> S>
+  InitialVelocity(Eigen::Vector3d velocity, const S& spin, std::vector<Index> nodes)
       : velocity_(std::move(velocity)), spin_(spin), nodes_(std::move(nodes)) {}
 
   void ranges(const auto& number) const {
