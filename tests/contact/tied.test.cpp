@@ -164,5 +164,5 @@ TEST_CASE("a tie breaks at its strength in tension, in shear and in both, and no
         Approx(1 / std::hypot(0.8 / 300, 0.6 / 200)).epsilon(5e-3));
   CHECK(broken_at({0, 0, 1}, {inf, inf}) == 0);
   CHECK_THROWS_WITH((Tied{tied, Surface{top}, {.normal = -1}}),
-                    "strike: a Tied has the strengths -1 and inf; give positive forces, or none.");
+                    "strike: the normal of TieStrength is -1; it must be positive.");
 }

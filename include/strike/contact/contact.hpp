@@ -23,6 +23,7 @@
 #include <strike/motion/step.hpp>
 #include <strike/pick.hpp>
 #include <strike/protocol.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -31,7 +32,8 @@ namespace strike {
 /// it:
 ///   Contact{NodeToSurface{bird_nodes, canopy}, Penalty{.fraction = 0.2}, Coulomb{0.3}}
 ///   Contact{TwoWay{one, other}}      Contact{SelfContact{surface}}      Contact{NodeToRigid{nodes, RigidSphere{c, R}}}
-/// By default it is Kinematic and Frictionless. Pairs are served in the order of the nodes' numbers.
+/// By default it is Kinematic and Frictionless. Error: a number out of its range. Pairs are served in the order of the
+/// nodes' numbers.
 template <class P, class Law, class F>
 class Contact {
  public:
@@ -40,8 +42,10 @@ class Contact {
       : pairing_(std::move(pairing)),
         law_(detail::pick<detail::IsContactLaw>(policies..., Kinematic{})),
         friction_(detail::pick<detail::IsFriction>(policies..., Frictionless{})) {
-    detail::check_law(law_);
+    detail::check_ranges(*this);
   }
+
+  void ranges(const auto& number) const { number(pairing_), number(law_), number(friction_); }
 
   /// Errors: no such node; those of the pairing.
   template <class N>
@@ -242,7 +246,9 @@ class Contact<NodeToRigid<RigidPlane>, Kinematic, F> : public detail::PlaneConta
   explicit Contact(const NodeToRigid<RigidPlane>& pairing, const Policies&... policies)
       : detail::PlaneContact<F>(pairing.body, detail::ascending(pairing.nodes),
                                 detail::pick<detail::IsFriction>(policies..., Frictionless{}), pairing.thickness) {
-    detail::check_law(detail::pick<detail::IsContactLaw>(policies..., Kinematic{}));
+    detail::check_ranges(pairing);
+    detail::check_ranges(detail::pick<detail::IsContactLaw>(policies..., Kinematic{}));
+    detail::check_ranges(detail::pick<detail::IsFriction>(policies..., Frictionless{}));
   }
 };
 

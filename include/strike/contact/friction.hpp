@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/contact/concepts.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -15,6 +16,8 @@ struct Frictionless {
 /// Coulomb's friction: at most `coefficient` times the normal force; below that the node sticks, without creep.
 struct Coulomb {
   double coefficient;
+
+  void ranges(const auto& number) const { number("coefficient", coefficient, range::not_negative); }
 
   template <class Number>
   Number impulse(const Number& normal, const Number& stops) const {

@@ -2,17 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/coupled_pairs.hpp>
-#include <strike/error.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
-#include <strike/text.hpp>
 
 namespace strike {
 
@@ -34,6 +32,8 @@ inline double stable_step_with_contact(double dt, double kappa) {
 /// that is inside, because its neighbours moved its face, leaves no faster than it came in: no impulse adds energy.
 struct Kinematic {
   int sweeps = 400;  ///< largest number of corrections of every pair in a step
+
+  void ranges(const auto& number) const { number("sweeps", sweeps, range::at_least(1)); }
 
   template <Execution E = Serial>
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step, const E& execution = {}) const {
@@ -128,6 +128,11 @@ struct Penalty {
   double fraction = 0.5;  ///< of m*/dt^2, between 0 and 2
   double stiffness = 0;   ///< of each pair [force/length]; 0: by the fraction
 
+  void ranges(const auto& number) const {
+    number("fraction", fraction, Range{.low = 0, .high = 2, .without_high = false});
+    number("stiffness", stiffness, range::not_negative);
+  }
+
   double kappa(double inverse_effective_mass) const { return stiffness * inverse_effective_mass; }
   template <Execution E = Serial>
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step, const E& execution = {}) const {
@@ -195,23 +200,5 @@ struct Penalty {
     coupled.each(execution, [&](std::size_t p) { *pairs[p].stored -= pairs[p].impulse * mean(p); });
   }
 };
-
-namespace detail {
-
-/// Error: numbers of a law that make no sense.
-inline void check_law(const Penalty& law) {
-  if (!(law.fraction > 0 && law.fraction <= 2) || !(law.stiffness >= 0))
-    throw Error(
-        joined({"strike: a Penalty has the fraction ", text(law.fraction), " and the stiffness ", text(law.stiffness),
-                "; give a fraction of m*/dt^2 between 0 and 2, and a positive stiffness or none."}));
-}
-inline void check_law(const Kinematic& law) {
-  if (law.sweeps < 1)
-    throw Error(joined(
-        {"strike: a Kinematic law makes ", std::to_string(law.sweeps), " sweeps; give 1 or more, such as 100."}));
-}
-inline void check_law(const auto&) {}
-
-}  // namespace detail
 
 }  // namespace strike

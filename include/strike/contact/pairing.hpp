@@ -23,6 +23,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -166,6 +167,11 @@ struct NodeToSurface {
   Surface surface;
   double thickness = 0;  ///< of the plate that the nodes belong to, if any [length]
 
+  void ranges(const auto& number) const {
+    number("thickness", thickness, range::not_negative);
+    number(surface);
+  }
+
   void see(std::span<const PartFaces> parts) const { surface.check_parts(parts); }
   std::vector<Index> numbers() const { return detail::ascending(nodes, surface.nodes()); }
   const std::vector<Index>& first() const { return nodes; }
@@ -180,6 +186,8 @@ struct NodeToSurface {
 /// The pairing of two surfaces, the nodes of each with the faces of the other; the nodes of the first come first.
 struct TwoWay {
   Surface first_surface, second_surface;
+
+  void ranges(const auto& number) const { number(first_surface), number(second_surface); }
 
   void see(std::span<const PartFaces> parts) const {
     first_surface.check_parts(parts), second_surface.check_parts(parts);
@@ -199,6 +207,8 @@ struct TwoWay {
 /// at the start are its neighbourhood, which it never touches.
 struct SelfContact {
   Surface surface;
+
+  void ranges(const auto& number) const { number(surface); }
 
   void see(std::span<const PartFaces> parts) const { surface.check_parts(parts); }
   std::vector<Index> numbers() const { return surface.nodes(); }
@@ -267,6 +277,11 @@ struct NodeToRigid {
   Body body;
   double thickness = 0;  ///< of the plate that the nodes belong to [length]
 
+  void ranges(const auto& number) const {
+    number("thickness", thickness, range::not_negative);
+    number(body);
+  }
+
   std::vector<Index> numbers() const { return detail::ascending(nodes); }
   const std::vector<Index>& first() const { return nodes; }
   auto start(const ContactNodes& all) const
@@ -280,6 +295,11 @@ struct NodeToRigid<RigidSurface> {
   std::vector<Index> nodes;
   RigidSurface body;
   double thickness = 0;
+
+  void ranges(const auto& number) const {
+    number("thickness", thickness, range::not_negative);
+    number(body);
+  }
 
   std::vector<Index> numbers() const { return detail::ascending(nodes); }
   const std::vector<Index>& first() const { return nodes; }

@@ -1,10 +1,13 @@
 #pragma once
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/contact/concepts.hpp>
 #include <strike/mesh/surface.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -12,6 +15,11 @@ namespace strike {
 /// The half-space behind a plane; `normal`, of any length, points to where nodes may be.
 struct RigidPlane {
   Eigen::Vector3d point, normal;
+
+  void ranges(const auto& number) const {
+    number("point", point, range::point);
+    number("normal", normal, range::direction);
+  }
 
   Clearance clearance(const Eigen::Vector3d& x) const {
     using namespace detail;
@@ -25,6 +33,11 @@ struct RigidSphere {
   Eigen::Vector3d centre;
   double radius;  ///< [length]
 
+  void ranges(const auto& number) const {
+    number("centre", centre, range::point);
+    number("radius", radius, range::positive);
+  }
+
   Clearance clearance(const Eigen::Vector3d& x) const {
     using namespace detail;
     const Eigen::Vector3d r = x - centre;
@@ -37,6 +50,12 @@ struct RigidCylinder {
   Eigen::Vector3d point, axis;
   double radius;  ///< [length]
 
+  void ranges(const auto& number) const {
+    number("point", point, range::point);
+    number("axis", axis, range::direction);
+    number("radius", radius, range::positive);
+  }
+
   Clearance clearance(const Eigen::Vector3d& x) const {
     using namespace detail;
     const Eigen::Vector3d a = direction(axis), r = x - point;
@@ -48,6 +67,11 @@ struct RigidCylinder {
 struct RigidSurface {
   std::vector<Eigen::Vector3d> points;
   std::vector<Face> faces;
+
+  void ranges(const auto& number) const {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      number(("point " + std::to_string(i)).c_str(), points[i], range::point);
+  }
 };
 
 }  // namespace strike

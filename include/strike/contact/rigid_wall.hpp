@@ -7,6 +7,7 @@
 #include <strike/contact/plane_contact.hpp>
 #include <strike/contact/rigid.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -16,10 +17,27 @@ namespace strike {
 class RigidWall : public detail::PlaneContact<Coulomb> {
  public:
   /// The plane through `point`; `normal`, of any length, points to where nodes may be. `friction` is a coefficient.
+  /// Error: a number out of its range.
   RigidWall(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double friction = 0)
-      : PlaneContact({point, normal}, Coulomb{friction}) {}
+      : PlaneContact({point, normal}, Coulomb{friction}), plane_{point, normal}, coefficient_(friction) {
+    detail::check_ranges(*this);
+  }
   RigidWall(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, std::vector<Index> nodes, double friction = 0)
-      : PlaneContact({point, normal}, detail::ascending(std::move(nodes)), Coulomb{friction}) {}
+      : PlaneContact({point, normal}, detail::ascending(std::move(nodes)), Coulomb{friction}),
+        plane_{point, normal},
+        coefficient_(friction) {
+    detail::check_ranges(*this);
+  }
+
+  void ranges(const auto& number) const {
+    number("point", plane_.point, range::point);
+    number("normal", plane_.normal, range::direction);
+    number("friction", coefficient_, range::not_negative);
+  }
+
+ private:
+  RigidPlane plane_;
+  double coefficient_;
 };
 
 }  // namespace strike

@@ -13,6 +13,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/mesh/surface.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -50,14 +51,15 @@ class Surface {
   /// Errors: no face; a negative thickness.
   explicit Surface(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
     uncover();
-    for (const Piece& piece : pieces_) {
-      if (!(piece.thickness >= 0))
-        throw Error(detail::joined({"strike: a Surface has the thickness ", detail::text(piece.thickness),
-                                    "; give that of the plate, or none if the faces bound a solid."}));
+    detail::check_ranges(*this);
+    for (const Piece& piece : pieces_)
       if (piece.faces.empty() && piece.of_cells.empty())
         throw Error(
             "strike: a Surface has no faces; give it some, such as surface(mesh) or solid_surface(cells, part).");
-    }
+  }
+
+  void ranges(const auto& number) const {
+    for (const Piece& piece : pieces_) number("thickness", piece.thickness, range::not_negative);
   }
 
   friend Surface operator+(Surface one, const Surface& other) {

@@ -22,6 +22,7 @@
 #include <strike/mesh/select.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -32,6 +33,11 @@ namespace strike {
 struct TieStrength {
   double normal = std::numeric_limits<double>::infinity();
   double shear = std::numeric_limits<double>::infinity();
+
+  void ranges(const auto& number) const {
+    number("normal", normal, range::or_infinite(range::positive));
+    number("shear", shear, range::or_infinite(range::positive));
+  }
 };
 
 /// Nodes tied to their places on a surface: a joint of meshes that need not fit. Impulses remove the velocity of every
@@ -41,8 +47,8 @@ struct TieStrength {
 class Tied {
  public:
   /// `tolerance` is the largest distance of a node from the surface [length]; 0: a tenth of the mean diagonal of a
-  /// face. Errors: no nodes; a strength that is not positive; at the start, a node farther from the surface, or one
-  /// that belongs to it.
+  /// face. Errors: no nodes; a number out of its range; at the start, a node farther from the surface, or one that
+  /// belongs to it.
   Tied(std::vector<Index> nodes, Surface surface, TieStrength strength)
       : Tied(std::move(nodes), std::move(surface), 0, strength) {}
   Tied(std::vector<Index> nodes, Surface surface, double tolerance = 0, TieStrength strength = {})
@@ -50,10 +56,14 @@ class Tied {
         surface_(std::move(surface)),
         tolerance_(tolerance),
         strength_(strength) {
-    if (!(strength.normal > 0) || !(strength.shear > 0))
-      throw Error(detail::joined({"strike: a Tied has the strengths ", detail::text(strength.normal), " and ",
-                                  detail::text(strength.shear), "; give positive forces, or none."}));
+    detail::check_ranges(*this);
     if (nodes_.empty()) throw Error("strike: a Tied has no nodes; give it some, such as surface_nodes(faces).");
+  }
+
+  void ranges(const auto& number) const {
+    number("tolerance", tolerance_, range::not_negative);
+    number(strength_);
+    number(surface_);
   }
 
   template <class N>

@@ -6,6 +6,7 @@
 #include <strike/dynamics/scene.hpp>
 #include <strike/each_of.hpp>
 #include <strike/error.hpp>
+#include <strike/mesh/describe.hpp>
 #include <strike/mesh/order.hpp>
 #include <strike/range.hpp>
 
@@ -17,10 +18,15 @@ struct Arrangement {
   std::vector<Index> nodes;               ///< the numbers of the nodes in the order in which the elements name them
 };
 
-/// Errors: a part without elements; an element that names a node that is not there.
+/// Errors: a node whose position is not finite; a number of an item out of its range; a part without elements; an
+/// element that names a node that is not there.
 template <class... Items>
 Arrangement arrange(const Scene<Items...>& scene) {
   Arrangement arrangement;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+    if (!scene.nodes[i].allFinite())
+      throw Error(joined({"strike: node ", std::to_string(i), " is at ", text(scene.nodes[i]),
+                          "; give it coordinates that are finite."}));
   std::vector<bool> named(scene.nodes.size(), false);
   const auto name = [&](Index node) {
     if (!named[node]) named[node] = true, arrangement.nodes.push_back(node);

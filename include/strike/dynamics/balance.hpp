@@ -41,9 +41,12 @@ inline bool is_balanced(const Energy& energy, double tolerance, double rounding)
   return joined({"the velocities grow from step to step with changing sign (kinetic energy ", text(energy.kinetic),
                  "): the step is beyond stability; use a smaller step factor"});
 }
-[[gnu::cold]] inline std::string out_of_balance(const Energy& energy, const std::string& culprit) {
-  return joined({"the energy balance is off by ", text(100 * energy.error()), " % of ", text(energy.scale()),
-                 "; use a smaller step factor or look for what is wrong near ", culprit});
+[[gnu::cold]] inline std::string out_of_balance(const Energy& energy, const std::string& culprit,
+                                                const std::string& load) {
+  const std::string advice =
+      !load.empty() ? load : joined({"use a smaller step factor or look for what is wrong near ", culprit});
+  return joined(
+      {"the energy balance is off by ", text(100 * energy.error()), " % of ", text(energy.scale()), "; ", advice});
 }
 
 }  // namespace strike::detail

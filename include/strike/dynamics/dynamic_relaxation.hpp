@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <strike/element/element.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -52,6 +53,8 @@ struct NoDamping {
 struct DynamicRelaxation {
   double tolerance = 1e-4;  ///< the share of the displacements that may still swing: square root of the kinetic energy
                             ///< over the internal one, for twice as long as the longest swing took
+
+  void ranges(const auto& number) const { number("tolerance", tolerance, Range{.low = 0, .high = 1}); }
 
   class Running;
 };

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <strike/dynamics/observer.hpp>
-#include <strike/error.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -16,10 +16,10 @@ class Every {
  public:
   using Action = F;
 
-  Every(double interval, F action) : interval_(interval), action_(std::move(action)) {
-    if (!(interval > 0))
-      throw Error("strike: the interval of an Every is not positive: give a time greater than zero.");
-  }
+  /// Error: an interval that is not positive.
+  Every(double interval, F action) : interval_(interval), action_(std::move(action)) { detail::check_ranges(*this); }
+
+  void ranges(const auto& number) const { number("interval", interval_, range::or_infinite(range::positive)); }
 
   template <class Run>
   void operator()(const Run& run) {

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -16,7 +17,9 @@
 #include <strike/dynamics/explicit_options.hpp>
 #include <strike/dynamics/ill_formed_run.hpp>
 #include <strike/dynamics/item.hpp>
+#include <strike/dynamics/last_steps.hpp>
 #include <strike/dynamics/method.hpp>
+#include <strike/dynamics/not_finite.hpp>
 #include <strike/dynamics/observer.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/running_scene.hpp>
@@ -43,6 +46,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   using typename RunningScene::RunningItems;
   template <class Item>
   static constexpr bool is_running_part = detail::is_running_part<std::remove_cvref_t<Item>>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr bool damps = !std::is_same_v<typename Method::Damping, NoDamping>;
 
  public:
@@ -70,27 +74,29 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
 
   /// Steps until the time `end`, until an observer `stops()` or until a relaxation is at rest. The last step ends at
-  /// `end` exactly. Observers (strike/dynamics/observer.hpp) see the state before the first step and after each. Error:
-  /// the run has to be given up; the sentence says what, where and when, after the observers have seen the last state.
+  /// `end` exactly; at that time nothing is done. Observers (strike/dynamics/observer.hpp) see the state before the
+  /// first step and after each. Errors: an end that is past; called by an observer; the run has to be given up: the
+  /// sentence says what, where and when, after the observers have seen the last state.
   template <class... Observers>
   void until(double end, Observers&&... observers) {
     using All = std::tuple<std::remove_reference_t<Observers>&...>;
     using namespace detail::observer;
     if constexpr ((report<fault<std::remove_reference_t<Observers>, Explicit, All>()>() && ...)) {
+      const detail::Goal goal(goal_, end, clock_.time());
+      if (end == clock_.time()) return;
       end_ = end;
       if (std::exchange(options_.print_warnings, false)) this->print(warnings());
       const All all(observers...);
       if (!(resumes(observers, *this, all) || ...)) (observe(observers, *this), ...);
-      try {
-        while (clock_.time() < end_ && !damping_.is_at_rest() && !(stops(observers) || ...)) {
+      goal.check(end, clock_.time());
+      const auto steps = [&] {
+        while (clock_.time() < end && !damping_.is_at_rest() && !(stops(observers) || ...)) {
           step();
           (observe(observers, *this), ...);
           (detail::call_if_present<Save>(observers, *this, all), ...);
         }
-      } catch (...) {
-        (detail::call_if_present<Last>(observers, *this), ...);
-        throw;
-      }
+      };
+      call_with_last(steps, *this, observers...);
     }
   }
 
@@ -119,6 +125,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     std::vector<std::string> all = RunningScene::warnings();
     cycle_.add_warnings(this->items_, all);
     this->each_part([&](const auto& part) { damping_.add_warning(part, all); });
+    this->add_unit_slip(all, (end_ - clock_.time()) / (options_.step_factor * stable_.dt));
     return all;
   }
   /// The energies at the last time at which both neighbouring velocities are known, one step back; with Subcycling at
@@ -151,9 +158,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     moved_by_rounding_ = this->moved_by_rounding();
     this->begin_items();
     ledger_.kinetic = detail::kinetic_energy(this->nodes_);
-    this->each([&](auto& item) {
-      if constexpr (is_running_part<decltype(item)>) ledger_.internal.book(item.stored_energy());
-    });
+    ledger_.internal.book(this->stored_energy());
     ledger_.initial = ledger_.kinetic + ledger_.internal.settled();
     energy_ = ledger_.energy();
     compute_forces();
@@ -162,7 +167,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
 
   void choose_step() {
-    const double before = step_.dt, left_of_run = end_ - clock_.time();
+    const double before = step_.dt, left_of_run = goal_.value_or(infinity) - clock_.time();
     if (!cycle_.is_complete()) {
       step_ = {step_.number + 1, clock_.time(), before, cycle_.next_step(before, left_of_run), step_.stable_dt};
       return;
@@ -175,8 +180,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
       give_up(detail::joined({"the time step has fallen to ", detail::text(dt), " because of ", this->describe(stable_),
                               "; refine the mesh there, let the material fail, or allow it by `.smallest_step`"}));
     if (before > 0) dt = std::min(dt, options_.step_growth * before);
-    const double left = left_of_run / static_cast<double>(cycle_.multiple());
-    if (2 * dt > left) dt = dt < left ? 0.5 * left : left;
+    dt = detail::step_to_end(dt, left_of_run / static_cast<double>(cycle_.multiple()));
     step_ = {step_.number + 1, clock_.time(), before, dt,
              std::isfinite(stable_.of_elements) ? stable_.of_elements : dt};
   }
@@ -216,25 +220,29 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     ledger_.kinetic += ledger_.impulses_before();
     if (cycle_.is_complete()) {
       energy_ = ledger_.energy();
-      if (step_.number > 1) check_balance();
+      check_balance();
     }
     ledger_.settle();
     if (damping_.restarts()) ledger_.damping.book(detail::kinetic_energy(this->nodes_));  // see kinetic_energy_at_start
     book_loads();
   }
-  void check_balance() const {
+  void check_balance() {
+    if (!std::isfinite(energy_.imbalance()))
+      if (const std::string nan = culprit().of_nan(); !nan.empty()) give_up(nan);
+    if (step_.number == 1) return;
     const double tolerance = options_.energy_tolerance;
     const double rounding = detail::energy_of_rounding(tolerance, moved_by_rounding_, step_.number, step_.dt);
     if (detail::grows_beyond_stability(energy_, rounding)) give_up(detail::beyond_stability(energy_));
     if (!detail::is_balanced(energy_, tolerance, rounding))
-      give_up(detail::out_of_balance(energy_, this->describe(stable_)));
+      give_up(detail::out_of_balance(energy_, this->describe(stable_), culprit().of_power()));
   }
+  auto culprit() { return detail::Culprit(this->nodes_, this->items_, step_, clock_.time()); }
 
   void drift() {
     detail::drift(this->nodes_, step_.dt, execution_);
     cycle_.drift(this->nodes_, step_.dt, execution_);
-    if (step_.dt >= end_ - clock_.time())
-      clock_.set(end_);
+    if (goal_ && step_.dt >= *goal_ - clock_.time())
+      clock_.set(*goal_);
     else
       clock_.advance(step_.dt);
   }
@@ -247,12 +255,13 @@ class Explicit : public detail::RunningScene<Method, Items...> {
         try {
           mine = cycle_.compute_forces(part, this->nodes_, step_.dt, ledger_, execution_);
         } catch (const Error& error) {
-          give_up(error.what());
+          const std::string nan = culprit().of_lost_position();
+          give_up(nan.empty() ? error.what() : nan);
         }
         if (mine.dt < stable_.dt) stable_ = mine;
       }
     });
-    remove_deleted();
+    this->remove_deleted();
     bound_.extend(stable_, this->nodes_, this->items_, execution_);
     stable_.of_elements = stable_.dt;
     this->each([&](auto& item) {
@@ -261,13 +270,6 @@ class Explicit : public detail::RunningScene<Method, Items...> {
         stable_.dt = detail::item::StableStep::call(item, stable_.dt, std::as_const(this->nodes_));
     });
     if (!cycle_.is_complete()) stable_ = before;
-  }
-  void remove_deleted() {
-    this->each_part([&](const auto& part) {
-      if (part.newly_deleted() == 0) return;
-      const std::vector<bool> alive = part.alive();
-      this->each([&](auto& item) { detail::call_if_present<detail::item::Remove>(item, part.number(), alive); });
-    });
   }
 
   void apply_loads() {
@@ -298,11 +300,12 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   Energy energy_;
   Step step_;
   StableStep stable_;
-  double bounded_ = std::numeric_limits<double>::infinity();  // the last stable step of an element
+  double bounded_ = infinity;  // the last stable step of an element
   double smallest_step_ = 0;
   double moved_by_rounding_ = 0;  // sum of m spacing^2/2 [energy time^2]
   Clock clock_;
-  double end_ = std::numeric_limits<double>::infinity();
+  double end_ = infinity;         // as told last
+  std::optional<double> goal_{};  // as long as the run is on its way to it
 };
 
 template <class... Items>

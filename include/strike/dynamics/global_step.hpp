@@ -14,6 +14,7 @@
 #include <strike/dynamics/step_bound.hpp>
 #include <strike/element/element.hpp>
 #include <strike/motion/execution.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -27,6 +28,12 @@ struct GlobalStep {
   double deviation = 0.15;  ///< relative tolerance of the iteration with all elements; with a share s of them it is
                             ///< s^(2/3) of that, for they cost less. The step loses about half of it.
   double price = 0.5;       ///< of an iteration with all elements, in steps
+
+  void ranges(const auto& number) const {
+    number("failure", failure, Range{.low = 0, .high = 1});
+    number("deviation", deviation, Range{.low = 0, .high = 1});
+    number("price", price, range::not_negative);
+  }
 
   template <class E>
   using Element = detail::Bounded<E>;

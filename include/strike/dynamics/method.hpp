@@ -9,6 +9,7 @@
 #include <strike/motion/execution.hpp>
 #include <strike/motion/nodes.hpp>
 #include <strike/pick.hpp>
+#include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike {
@@ -145,11 +146,14 @@ class Method {
                 "DynamicRelaxation{}.");
 
  public:
+  /// Error: a number of a policy that is out of its range.
   explicit Method(const Policies&... policies)
       : execution(detail::policy_of<detail::ExecutionKind>(policies...)),
         bound(detail::policy_of<detail::StepBoundKind>(policies...)),
         damping(detail::policy_of<detail::DampingKind>(policies...)),
-        cycle(detail::policy_of<detail::CycleKind>(policies...)) {}
+        cycle(detail::policy_of<detail::CycleKind>(policies...)) {
+    (detail::check_ranges(policies), ...);
+  }
 
   [[no_unique_address]] Execution execution;
   [[no_unique_address]] Bound bound;

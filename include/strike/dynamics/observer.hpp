@@ -1,8 +1,12 @@
 #pragma once
 #include <concepts>
+#include <exception>
+#include <string>
 #include <type_traits>
 
+#include <strike/error.hpp>
 #include <strike/protocol.hpp>
+#include <strike/text.hpp>
 
 // An observer of a run: run.until(end, observer, ...).
 //
@@ -10,7 +14,8 @@
 // next, in the order in which they are given.
 //  1. f() or f(run)                     called before the first step and after each; returns nothing
 //  2. stops() -> bool                   asked after each step: true ends the run
-//  3. last(run)                         called when the run has to be given up, before the Error leaves
+//  3. last(run)                         called when the run has to be given up, before the Error leaves; of all
+//                                       observers, even if that of another throws
 //  4. save(run, observers)              called after a step that all observers have seen
 //  5. resume(run, observers) -> bool    called before the run begins: true if it has put the run and all observers
 //                                       where they once were, so that none is called before the first step
@@ -159,6 +164,31 @@ template <class Observer, class Run, class All>
   requires answers<Resume, Observer, Run, const All>
 bool resumes(Observer& observer, Run& run, const All& all) {
   return observer.resume(run, all);
+}
+
+/// Calls f; if it throws, `last` of all observers before the error leaves, to which what one of them throws is added.
+template <class F, class Run, class... Observers>
+void call_with_last(const F& f, Run& run, Observers&... observers) {
+  std::string added;
+  [[maybe_unused]] const auto last = [&](auto& observer) {
+    try {
+      call_if_present<Last>(observer, run);
+    } catch (const std::exception& error) {
+      added += joined({" Then an observer has failed too: ", error.what()});
+    } catch (...) {
+      added += " Then an observer has failed too.";
+    }
+  };
+  try {
+    f();
+  } catch (const Error& error) {
+    (last(observers), ...);
+    if (added.empty()) throw;
+    throw Error(error.what() + added);
+  } catch (...) {
+    (last(observers), ...);
+    throw;
+  }
 }
 
 }  // namespace strike::detail::observer

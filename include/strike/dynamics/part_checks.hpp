@@ -13,6 +13,26 @@
 
 namespace strike::detail {
 
+/// The speed of waves in a material at rest, sqrt((K + 4/3 G)/density).
+template <class M>
+[[gnu::cold]] double wave_speed(const M& material) {
+  typename M::template State<double> state{};
+  if constexpr (requires { material.begin(state); }) material.begin(state);
+  return std::sqrt(material.moduli(state, typename M::Kinematics::template Rate<double>{}).wave() /
+                   density_of(material));
+}
+
+/// A sentence on numbers of different units: a wave speed that no system of docs/units.md gives, from rubber's to
+/// diamond's, or more steps than a run of an impact takes; empty: none.
+[[gnu::cold]] inline std::string unit_slip(std::size_t part, double speed, double steps) {
+  const std::string advice = "; if that is not meant, look whether all numbers are of one system of units.";
+  if (speed < 1e-4 || speed > 2e7)
+    return joined({"Waves in part ", std::to_string(part), " have the speed ", text(speed), advice});
+  if (steps > 1e6 && std::isfinite(steps))
+    return joined({"It is about ", text(steps), " steps to the end of the run", advice});
+  return {};
+}
+
 /// Error: constants of a material from which no wave follows.
 template <class M>
 [[gnu::cold]] void check_material(const M& material, std::size_t part) {
@@ -53,6 +73,7 @@ void check_mass(const Elements& elements, const N& nodes, std::size_t place, dou
 }
 
 [[noreturn, gnu::cold, gnu::noinline]] inline void explain_inversion(const std::string& element, double volume) {
+  if (std::isnan(volume)) throw Error(joined({element, " has the volume nan: look at the formulas of its element"}));
   throw Error(joined({element, " is inverted (volume ", text(volume),
                       "); refine the mesh there, use a smaller step factor or let the material fail"}));
 }

@@ -156,6 +156,14 @@ class RunningPart {
     return elements_.describe(nodes, elements_.place_of(e));
   }
 
+  /// The same of the first element whose state is NaN; empty: there is none.
+  [[gnu::cold]] std::string describe_nan(const Nodes& nodes) const {
+    for (std::size_t place = 0; place < size(); ++place)
+      for (const T& number : numbers_of<T>(blocks()[place / width].state))
+        if (std::isnan(static_cast<double>(lane(number, place % width)))) return elements_.describe(nodes, place);
+    return {};
+  }
+
   template <class Archive>
   void serialize(Archive& archive) {
     archive.same(detail::name_of<RunningPart>(), elements_.size, elements_.order);

@@ -14,6 +14,8 @@
 #include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/faces_of_part.hpp>
 #include <strike/dynamics/ill_formed_run.hpp>
+#include <strike/dynamics/not_finite.hpp>
+#include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/each_of.hpp>
@@ -114,13 +116,36 @@ class RunningScene {
     return values;
   }
 
-  /// Errors: those of the items.
+  /// Errors: those of the items; a velocity that is not finite.
   void begin_items() {
     std::vector<PartFaces> parts;
     if constexpr ((item::Begin::takes_parts<Items, Nodes> || ...))
       each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
     const std::span<const PartFaces> all(parts);
     each([&](auto& item) { call_if_present<item::Begin>(item, nodes_, all); });
+    check_start(nodes_);
+  }
+  /// Tells the items which elements the last step has deleted.
+  void remove_deleted() {
+    each_part([&](const auto& part) {
+      if (part.newly_deleted() == 0) return;
+      const std::vector<bool> alive = part.alive();
+      each([&](auto& item) { call_if_present<item::Remove>(item, part.number(), alive); });
+    });
+  }
+  /// The internal energy of its parts at rest.
+  double stored_energy() const {
+    double sum = 0;
+    each_part([&](const auto& part) { sum += part.stored_energy(); });
+    return sum;
+  }
+  /// At most one sentence on numbers of different units, with the number of steps to the end of the run.
+  [[gnu::cold]] void add_unit_slip(std::vector<std::string>& warnings, double steps) const {
+    std::string slip;
+    each_part([&](const auto& part) {
+      if (slip.empty()) slip = unit_slip(part.number(), wave_speed(part.material()), steps);
+    });
+    if (!slip.empty()) warnings.push_back(std::move(slip));
   }
   /// Error: a node without mass.
   void check_masses() const {

@@ -16,6 +16,7 @@
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/motion.hpp>
 #include <strike/motion/nodes.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -71,6 +72,11 @@ struct NoSubcycling {
 struct Subcycling {
   std::size_t largest = 8;  ///< multiple; which one saves most is found from the steps of the parts at the start
   std::size_t layers = 2;   ///< of elements of a slow part, from a fast one on, that are advanced in each step
+
+  void ranges(const auto& number) const {
+    number("largest", largest, range::between(1, 1000));
+    number("layers", layers, range::between(0, 1000));
+  }
 
   static constexpr bool needs_element_steps = true;
   template <class Nodes>

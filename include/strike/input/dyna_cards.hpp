@@ -108,7 +108,8 @@ struct SupportCard {
   }
 };
 
-/// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, v.nodes}`; with a spin, `v.at(x)` is the velocity of a node.
+/// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, Spin{v.spin, v.centre}, v.nodes}`; `v.at(x)` is the velocity of
+/// a node.
 struct VelocityCard {
   std::vector<Index> nodes;
   Eigen::Vector3d velocity;

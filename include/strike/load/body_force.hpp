@@ -4,6 +4,7 @@
 #include <strike/load/curve.hpp>
 #include <strike/motion/motion.hpp>
 #include <strike/motion/nodes.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -15,6 +16,11 @@ class BodyForce {
 
   explicit BodyForce(Eigen::Vector3d acceleration, History history = {})
       : acceleration_(std::move(acceleration)), history_(std::move(history)) {}
+
+  void ranges(const auto& number) const {
+    number("acceleration", acceleration_, range::point);
+    number(history_);
+  }
 
   template <class N>
   void apply_loads(N& nodes, double time) {

@@ -4,6 +4,7 @@
 
 #include <strike/load/curve.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -15,6 +16,11 @@ class NodalForce {
 
   NodalForce(Eigen::Vector3d force, std::vector<Index> nodes, History history = {})
       : force_(std::move(force)), nodes_(std::move(nodes)), history_(std::move(history)) {}
+
+  void ranges(const auto& number) const {
+    number("force", force_, range::point);
+    number(history_);
+  }
 
   template <class N>
   void begin(const N& nodes) const {

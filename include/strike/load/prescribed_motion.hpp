@@ -7,6 +7,7 @@
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/nodes.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -36,9 +37,17 @@ class PrescribedMotion {
   using LoadHistory = History;
 
   PrescribedMotion(const Eigen::Vector3d& direction, std::vector<Index> nodes, History history)
-      : direction_(detail::direction(direction)), nodes_(std::move(nodes)), history_(std::move(history)) {}
+      : given_(direction),
+        direction_(detail::direction(direction)),
+        nodes_(std::move(nodes)),
+        history_(std::move(history)) {}
   PrescribedMotion(Axis axis, std::vector<Index> nodes, History history)
       : PrescribedMotion(unit(axis), std::move(nodes), std::move(history)) {}
+
+  void ranges(const auto& number) const {
+    number("direction", given_, range::direction);
+    number(history_);
+  }
 
   template <class N>
   void begin(N& nodes) const {
@@ -64,7 +73,7 @@ class PrescribedMotion {
   }
 
  private:
-  Eigen::Vector3d direction_;
+  Eigen::Vector3d given_, direction_;  // of any length, and the unit vector
   std::vector<Index> nodes_;
   History history_;
 };

@@ -1,15 +1,22 @@
 #pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <strike/load/curve.hpp>
+#include <strike/mesh/part_faces.hpp>
 #include <strike/mesh/surface.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
 
 /// A pressure p(t) on faces, along their current normals: each corner takes an equal share of -p times the vector area,
-/// so that the resultant is exact on any face. Error: no such node.
+/// so that the resultant is exact on any face. It ends with the elements that have the face, which are found by its
+/// corners. Error: no such node.
 template <class History>
 class Pressure {
  public:
@@ -17,16 +24,24 @@ class Pressure {
 
   Pressure(std::vector<Face> faces, History history) : faces_(std::move(faces)), history_(std::move(history)) {}
 
+  void ranges(const auto& number) const { number(history_); }
+
   template <class N>
-  void begin(const N& nodes) const {
+  void begin(const N& nodes, std::span<const PartFaces> parts = {}) {
     for (const Face& face : faces_)
       for (const Index i : face.nodes) nodes.check_number(i);
+    ended_.assign(faces_.size(), 0);
+    if (std::any_of(parts.begin(), parts.end(), [](const PartFaces& part) { return part.erodes; })) find_owners(parts);
   }
   template <class N>
   void apply_loads(N& nodes, double time) {
     const double p = history_(time);
     forces_.resize(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (has_ended(i)) {
+        forces_[i].setZero();
+        continue;
+      }
       const auto& corner = faces_[i].nodes;
       const auto x = [&](std::size_t k) { return nodes.x(corner[k]); };
       const typename N::Vector along = x(2) - x(0), across = x(3) - x(1);
@@ -44,19 +59,62 @@ class Pressure {
         sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
     return sum;
   }
+  /// Ends on the faces all of whose elements are gone.
+  void remove(std::size_t part, const std::vector<bool>& alive) {
+    std::vector<char> left(faces_.size(), 0);
+    for (Owner& owner : owners_) {
+      if (owner.part == part && !alive.at(owner.cell)) owner.is_gone = true;
+      if (!owner.is_gone) left[owner.face] = 1;
+    }
+    for (const Owner& owner : owners_) ended_[owner.face] = !left[owner.face];
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {
     for (const Face& face : faces_) archive.same(face.nodes);
-    archive(forces_);
+    archive(forces_, owners_, ended_);
   }
 
  private:
+  /// An element that has a face.
+  struct Owner {
+    std::size_t face, part, cell;
+    bool is_gone = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(face, part, cell, is_gone);
+    }
+  };
+
   static std::size_t corners(const std::array<Index, 4>& corner) { return corner[2] == corner[3] ? 3 : 4; }
+  bool has_ended(std::size_t face) const { return face < ended_.size() && ended_[face]; }
+
+  void find_owners(std::span<const PartFaces> parts) {
+    using Key = std::array<Index, 4>;
+    const auto key_of = [](const Face& face) {
+      Key key = face.nodes;
+      std::sort(key.begin(), key.end());
+      if (face.is_triangle()) std::fill(std::unique(key.begin(), key.end()), key.end(), key.back());
+      return key;
+    };
+    std::vector<std::pair<Key, std::size_t>> keys;
+    for (std::size_t i = 0; i < faces_.size(); ++i) keys.emplace_back(key_of(faces_[i]), i);
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      for (const Face& face : parts[p].faces) {
+        const Key key = key_of(face);
+        for (auto at = std::lower_bound(keys.begin(), keys.end(), std::pair{key, std::size_t{0}});
+             at != keys.end() && at->first == key; ++at)
+          owners_.push_back({at->second, p, face.cell});
+      }
+  }
 
   std::vector<Face> faces_;
   History history_;
   std::vector<Eigen::Vector3d> forces_;  // on each corner of each face, as applied last
+  std::vector<Owner> owners_;
+  std::vector<char> ended_;  // of each face
 };
 
 }  // namespace strike

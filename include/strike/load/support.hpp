@@ -4,6 +4,7 @@
 
 #include <strike/mesh/select.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -15,6 +16,11 @@ class Support {
  public:
   Support(std::vector<Index> nodes, std::vector<Eigen::Vector3d> directions, std::vector<Eigen::Vector3d> axes = {})
       : nodes_(std::move(nodes)), directions_(std::move(directions)), axes_(std::move(axes)) {}
+
+  void ranges(const auto& number) const {
+    for (const auto& direction : directions_) number("direction", direction, range::direction);
+    for (const auto& axis : axes_) number("axis", axis, range::direction);
+  }
 
   template <class N>
   void begin(N& nodes) {
@@ -80,8 +86,10 @@ using Hinged = Pinned;
 class Symmetry : public Support {
  public:
   Symmetry(const Eigen::Vector3d& normal, std::vector<Index> nodes)
-      : Support(std::move(nodes), {normal}, {across(normal), cross<double>(normal, across(normal))}) {}
+      : Support(std::move(nodes), {normal}, {across(normal), cross<double>(normal, across(normal))}), normal_(normal) {}
   Symmetry(Axis axis, std::vector<Index> nodes) : Symmetry(unit(axis), std::move(nodes)) {}
+
+  void ranges(const auto& number) const { number("normal", normal_, range::direction); }
 
  private:
   /// A vector orthogonal to another.
@@ -91,6 +99,8 @@ class Symmetry : public Support {
       if (std::abs(normal(int(axis))) < std::abs(normal(int(least)))) least = axis;
     return cross(normal, unit(least));
   }
+
+  Eigen::Vector3d normal_;
 };
 
 }  // namespace strike

@@ -10,6 +10,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike {
@@ -21,15 +22,19 @@ Mesh transformed(Mesh mesh, Place&& place) {
   return mesh;
 }
 
-/// The mesh moved by a displacement [length].
+/// The mesh moved by a displacement [length]. Error: one that is not finite.
 inline Mesh translated(Mesh mesh, const Eigen::Vector3d& displacement) {
   using namespace detail;
+  RangeCheck("translated", "")("displacement", displacement, range::point);
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return x + displacement; });
 }
 
-/// The mesh turned right-handedly about an axis through the origin by an angle [rad].
+/// The mesh turned right-handedly about an axis through the origin by an angle [rad]. Errors: an axis that is
+/// zero, a number that is not finite.
 inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
   using namespace detail;
+  const RangeCheck check("rotated", "");
+  check("axis", axis, range::direction), check("angle", angle, range::finite);
   const Eigen::Vector3d n = direction(axis);
   const double c = std::cos(angle), s = std::sin(angle);
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {  // Rodrigues' formula
@@ -39,7 +44,7 @@ inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
 
 /// The mesh stretched from the origin by a factor per axis. Error: a factor that is not positive.
 inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
-  if (!(factor(0) > 0 && factor(1) > 0 && factor(2) > 0))
+  if (!(factor(0) > 0 && factor(1) > 0 && factor(2) > 0 && factor.allFinite()))
     throw Error("strike: a mesh is scaled by positive factors only; use `mirrored` to reflect it.");
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(x[0] * factor[0], x[1] * factor[1], x[2] * factor[2]);
@@ -47,9 +52,10 @@ inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
 }
 
 /// The mirror image in the plane through the origin with the given normal. Corners are reordered so that volumes stay
-/// positive, and quadrilaterals face the side that they faced.
+/// positive, and quadrilaterals face the side that they faced. Error: a normal that is zero or not finite.
 inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
   using namespace detail;
+  RangeCheck("mirrored", "")("normal", normal, range::direction);
   const Eigen::Vector3d n = direction(normal);
   mesh = transformed(std::move(mesh), [&](const Eigen::Vector3d& x) { return x - 2 * n.dot(x) * n; });
   for (auto& c : mesh.hexahedra) c = {c[0], c[3], c[2], c[1], c[4], c[7], c[6], c[5]};

@@ -53,19 +53,18 @@ class Nodes {
   const Vector moment(std::size_t i) const { return vector_of(own_.moment[place_[i]]); }
   double inertia(std::size_t i) const { return static_cast<double>(inertia_[place_[i]]); }
 
-  void set_position(std::size_t i, const Vector& x) { own_.position[place_[i]] = padded(x); }
-  void set_velocity(std::size_t i, const Vector& v) { own_.velocity[place_[i]] = padded(v); }
-  void add_force(std::size_t i, const Vector& change) { own_.force[place_[i]] = padded(f(i) + change); }
-  void add_mass(std::size_t i, double m) { mass_[place_[i]] += static_cast<Plain>(m); }
-  void set_angular_velocity(std::size_t i, const Vector& w) { own_.angular_velocity[place_[i]] = padded(w); }
-  void add_moment(std::size_t i, const Vector& change) { own_.moment[place_[i]] = padded(moment(i) + change); }
-  void add_inertia(std::size_t i, double I) { inertia_[place_[i]] += static_cast<Plain>(I); }
+  // Error: there is no node of this number.
+  void set_position(std::size_t i, const Vector& x) { own_.position[checked_place(i)] = padded(x); }
+  void set_velocity(std::size_t i, const Vector& v) { own_.velocity[checked_place(i)] = padded(v); }
+  void add_force(std::size_t i, const Vector& change) { add(own_.force[checked_place(i)], change); }
+  void add_mass(std::size_t i, double m) { mass_[checked_place(i)] += static_cast<Plain>(m); }
+  void set_angular_velocity(std::size_t i, const Vector& w) { own_.angular_velocity[checked_place(i)] = padded(w); }
+  void add_moment(std::size_t i, const Vector& change) { add(own_.moment[checked_place(i)], change); }
+  void add_inertia(std::size_t i, double I) { inertia_[checked_place(i)] += static_cast<Plain>(I); }
 
   /// Error: there is no node of this number.
   void check_number(std::size_t i) const {
-    if (i >= size())
-      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
-                                  std::to_string(size()), " nodes; count them from 0."}));
+    if (i >= size()) refuse(i);
   }
   /// Takes a direction, a unit vector, from the motion of node i. Returns its part that was still free: a unit vector
   /// at right angles to all directions taken before, or zero. The motions that are left do not depend on the order.
@@ -144,6 +143,16 @@ class Nodes {
 
  private:
   struct None {};
+
+  [[noreturn, gnu::cold, gnu::noinline]] void refuse(std::size_t i) const {
+    throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
+                                std::to_string(size()), " nodes; count them from 0."}));
+  }
+  Index checked_place(std::size_t i) const {
+    check_number(i);
+    return place_[i];
+  }
+  static void add(Padded<Real>& sum, const Vector& change) { sum = padded(vector_of(sum) + change); }
 
   Motion<Real, turn> own_;
   [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal, turn>, None> copy_;

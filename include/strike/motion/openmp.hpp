@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <strike/cxx20.hpp>
+#include <strike/range.hpp>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -14,6 +14,8 @@ namespace strike {
 /// number of them. Programs that use it link the target strike::openmp.
 struct OpenMP {
   int threads = 0;  ///< 0: as many as OpenMP gives, one per core or OMP_NUM_THREADS
+
+  void ranges(const auto& number) const { number("threads", threads, range::not_negative); }
 
 #ifdef _OPENMP
   static constexpr bool is_available = true;
