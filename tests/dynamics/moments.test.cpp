@@ -73,6 +73,10 @@ TEST_CASE("an end that is past or no time is refused, and the present one does n
   CHECK(seen == 0);
   run.until(1.5);
   CHECK(run.time() == 1.5);
+  auto fresh = swinging();
+  fresh.until(0, [&] { ++seen; });  // the state at the start
+  CHECK(seen == 1);
+  CHECK(fresh.steps() == 0);
 }
 
 TEST_CASE("until within an observer is refused, and the run can go on") {

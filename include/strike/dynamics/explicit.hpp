@@ -74,16 +74,16 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
 
   /// Steps until the time `end`, until an observer `stops()` or until a relaxation is at rest. The last step ends at
-  /// `end` exactly; at that time nothing is done. Observers (strike/dynamics/observer.hpp) see the state before the
-  /// first step and after each. Errors: an end that is past; called by an observer; the run has to be given up: the
-  /// sentence says what, where and when, after the observers have seen the last state.
+  /// `end` exactly; where that is now, nothing is done after the start. Observers (strike/dynamics/observer.hpp) see
+  /// the state before the first step and after each. Errors: an end that is past; called by an observer; the run has
+  /// to be given up: the sentence says what, where and when, after the observers have seen the last state.
   template <class... Observers>
   void until(double end, Observers&&... observers) {
     using All = std::tuple<std::remove_reference_t<Observers>&...>;
     using namespace detail::observer;
     if constexpr ((report<fault<std::remove_reference_t<Observers>, Explicit, All>()>() && ...)) {
       const detail::Goal goal(goal_, end, clock_.time());
-      if (end == clock_.time()) return;
+      if (end == clock_.time() && steps() > 0) return;
       end_ = end;
       if (std::exchange(options_.print_warnings, false)) this->print(warnings());
       const All all(observers...);
