@@ -158,9 +158,19 @@ class RunningPart {
 
   /// The same of the first element whose state is NaN; empty: there is none.
   [[gnu::cold]] std::string describe_nan(const Nodes& nodes) const {
-    for (std::size_t place = 0; place < size(); ++place)
-      for (const T& number : numbers_of<T>(blocks()[place / width].state))
-        if (std::isnan(static_cast<double>(lane(number, place % width)))) return elements_.describe(nodes, place);
+    for (std::size_t place = 0; place < size(); ++place) {
+      bool is_nan = false;
+      const auto look = [&](const auto& numbers) {
+        for (const T& number : numbers_of<T>(numbers))
+          is_nan = is_nan || std::isnan(static_cast<double>(lane(number, place % width)));
+      };
+      const State& state = blocks()[place / width].state;
+      if constexpr (std::is_trivially_destructible_v<State>)
+        look(state);
+      else  // a list of points
+        state.each_point(look);
+      if (is_nan) return elements_.describe(nodes, place);
+    }
     return {};
   }
 
