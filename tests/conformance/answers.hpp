@@ -310,15 +310,16 @@ inline std::vector<Eigen::Vector3d> answer(const Encounter& whole, const MakeCon
   const double end = change.length * whole.until;
   const auto after = [&](const auto& execution) {
     auto run = std::make_unique<decltype(Explicit{parts, options, execution})>(parts, options, execution);
-    while (change.interrupted > 0 && run->time() + (change.interrupted + 2) * options.largest_step < end) {
-      for (int n = 0; n < change.interrupted; ++n) run->step();
+    for (;;) {
+      const std::size_t last = run->steps() + static_cast<std::size_t>(change.interrupted);
+      run->until(end, StopWhen{[&] { return change.interrupted > 0 && run->steps() >= last; }});
+      if (!(run->time() < end)) break;
       std::string bytes;
       Memory writer(bytes, false), reader(bytes, true);
       writer(*run);
       run = std::make_unique<typename decltype(run)::element_type>(parts, options, execution);
       reader(*run);
     }
-    run->until(end);
     CHECK((run->template part<0>().deleted() > 0) == change.far_goes);
     std::vector<Eigen::Vector3d> back;
     const std::vector<Eigen::Vector3d> x = run->positions();

@@ -17,12 +17,13 @@ using testing::Balls;
 namespace {
 
 /// A mesh of heavy nodes, and light balls that fly at it.
-struct Range {
+struct ShootingRange {
   std::vector<Eigen::Vector3d> x, v;
   std::vector<double> mass;
   std::vector<Index> balls;
 
-  explicit Range(const Mesh& mesh) : x(mesh.nodes), v(x.size(), Eigen::Vector3d::Zero()), mass(x.size(), 1e12) {}
+  explicit ShootingRange(const Mesh& mesh)
+      : x(mesh.nodes), v(x.size(), Eigen::Vector3d::Zero()), mass(x.size(), 1e12) {}
   void shoot(const Eigen::Vector3d& from, const Eigen::Vector3d& velocity) {
     balls.push_back(static_cast<Index>(x.size()));
     x.push_back(from), v.push_back(velocity), mass.push_back(1);
@@ -48,7 +49,7 @@ TEST_CASE("nothing passes a surface or a plate, at any speed and from any angle"
   const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
   for (const double thickness : {0.0, 0.02})
     for (const double speed : {1e-3, 0.1, 1.0, 10.0}) {  // in a step, whose length is 1; a face is 0.125 wide
-      Range range(floor_of_8);
+      ShootingRange range(floor_of_8);
       for (int i = 0; i < 200; ++i) {
         const Eigen::Vector3d at(0.5 + 0.4 * number(), 0.5 + 0.4 * number(), 0);
         const Eigen::Vector3d direction(0.3 * number(), 0.3 * number(), thickness > 0 && i % 2 ? 1 : -1);
@@ -71,7 +72,7 @@ TEST_CASE("nothing passes a surface or a plate, at any speed and from any angle"
 TEST_CASE("what flies past an edge is left alone") {
   const Mesh cube = box({.size = {1, 1, 1}, .cells = {4, 4, 4}});
   for (const double speed : {0.01, 0.1, 1.0}) {
-    Range range(cube);
+    ShootingRange range(cube);
     range.shoot({1.02, 0.5, 1.5}, {0, 0, -speed});
     range.shoot({1.3, 1.4, 1.32}, {-0.3 * speed, -0.3 * speed, -speed});
     range.shoot({-0.4, 0.6, 1.0 + 0.01}, {speed, 0, 0});
@@ -85,7 +86,7 @@ TEST_CASE("D34: a node on an edge or a corner that faces share is served once") 
   for (const double thickness : {0.0, 0.02})
     for (const Eigen::Vector3d& at : {Eigen::Vector3d(0.5, 0.5, 0), Eigen::Vector3d(0.5, 0.53, 0),
                                       Eigen::Vector3d(0.53, 0.53, 0), Eigen::Vector3d(0.5, 0, 0)}) {
-      Range range(floor_of_8);
+      ShootingRange range(floor_of_8);
       const double height = 0.01 + 0.5 * thickness;
       range.shoot(at + height * Eigen::Vector3d::UnitZ(), {0, 0, -1});
       auto run = range.run(NodeToSurface{range.balls, Surface{faces_of(floor_of_8), thickness}});
@@ -100,7 +101,7 @@ TEST_CASE("D34: a node on an edge or a corner that faces share is served once") 
 }
 
 TEST_CASE("D35: what begins inside is reported by number and stays there without energy") {
-  Range range(floor_of_8);
+  ShootingRange range(floor_of_8);
   range.shoot({0.5, 0.5, -0.01}, {0, 0, 0});
   range.shoot({0.3, 0.2, -0.03}, {0, 0, 0});
   range.shoot({0.25, 0.25, 0}, {0, 0, 0});      // on a node
@@ -125,7 +126,7 @@ TEST_CASE("D35: what begins inside is reported by number and stays there without
 
 TEST_CASE("rigid bodies stop nodes at their surface and let those go that miss it") {
   const auto stop = [](auto body, const Eigen::Vector3d& from, const Eigen::Vector3d& v, const Eigen::Vector3d& at) {
-    Range range({});
+    ShootingRange range({});
     range.shoot(from, v);
     range.shoot(from + Eigen::Vector3d(0, 100, 0), v);
     auto run = range.run(NodeToRigid{std::vector<Index>{range.balls[0]}, body});
@@ -140,7 +141,7 @@ TEST_CASE("rigid bodies stop nodes at their surface and let those go that miss i
   const Mesh mesh = box({.lower = {-1, -1, -1}, .size = {2, 2, 1}, .cells = {3, 3, 1}});
   stop(RigidSurface{mesh.nodes, surface(mesh)}, {0.1, 0.2, 1}, {0, 0, -30}, {0.1, 0.2, 0});
 
-  Range range({});
+  ShootingRange range({});
   range.shoot({0.51, 0, 1}, {0, 0, -1});
   range.shoot({0.6, 5, 30}, {0, 0, -1000});
   auto run = range.run(NodeToRigid{range.balls, RigidSphere{{0, 0, 0}, 0.5}});
@@ -152,7 +153,7 @@ TEST_CASE("a block slides to rest after v^2/(2 mu g), and does not move on a slo
   const double v = 2, mu = 0.3, g = 9.81, dt = 1e-4;
   for (const double slope : {0.0, 0.9, 1.1}) {
     const double angle = std::atan(slope * mu);
-    Range range({});
+    ShootingRange range({});
     range.shoot({0, 0, 0}, slope > 0 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(v, 0, 0));
     auto run = range.run(NodeToRigid{range.balls, RigidPlane{{0, 0, 0}, {0, 0, 1}}}, Coulomb{mu});
     const Eigen::Vector3d weight(g * std::sin(angle), 0, -g * std::cos(angle));
@@ -186,7 +187,7 @@ TEST_CASE("cells that are removed lay bare what they covered") {
                     Catch::Matchers::ContainsSubstring("give one flag for each"));
 
   const Mesh column = box({.size = {1, 1, 2}, .cells = {1, 1, 2}});
-  Range range(column);
+  ShootingRange range(column);
   range.shoot({0.5, 0.4, 2.5}, {0, 0, -1});
   auto run = range.run(NodeToSurface{range.balls, solid_surface(column.hexahedra, 3)});
   const std::vector<bool> top_gone{true, false};
@@ -202,7 +203,7 @@ TEST_CASE("a sheet that folds meets itself, and its neighbours do not count") {
                  z = std::clamp(4 * t - 1.5, 0.0, 1.0);
     return Eigen::Vector3d(s, y, z);
   });
-  Range range(leaves);
+  ShootingRange range(leaves);
   for (auto& m : range.mass) m = 1;
   for (std::size_t i = 0; i < range.x.size(); ++i)
     if (range.x[i].z() == 1 && range.x[i].y() > 0.4) range.v[i] = {0, 0, -1};
@@ -221,13 +222,14 @@ TEST_CASE("a sheet that folds meets itself, and its neighbours do not count") {
 
 TEST_CASE("a contact of what is not there is refused") {
   CHECK_THROWS_WITH(Surface{std::vector<Face>{}}, Catch::Matchers::ContainsSubstring("has no faces"));
-  CHECK_THROWS_WITH((Surface{faces_of(floor_of_8), -1}), Catch::Matchers::ContainsSubstring("thickness -1"));
-  Range range(floor_of_8);
+  CHECK_THROWS_WITH((Surface{faces_of(floor_of_8), -1}),
+                    Catch::Matchers::ContainsSubstring("thickness of Surface is -1"));
+  ShootingRange range(floor_of_8);
   range.shoot({0, 0, 1}, {0, 0, 0});
   CHECK_THROWS_WITH(range.run(NodeToSurface{std::vector<Index>{4711}, Surface{faces_of(floor_of_8)}}),
                     Catch::Matchers::ContainsSubstring("names node 4711, but there are 82"));
   CHECK_THROWS_WITH(range.run(NodeToSurface{std::vector<Index>{}, Surface{faces_of(floor_of_8)}}),
                     Catch::Matchers::ContainsSubstring("has no nodes"));
   CHECK_THROWS_WITH(range.run(NodeToSurface{range.balls, Surface{faces_of(floor_of_8)}}, Penalty{.fraction = 5}),
-                    Catch::Matchers::ContainsSubstring("fraction 5"));
+                    Catch::Matchers::ContainsSubstring("fraction of Penalty is 5"));
 }

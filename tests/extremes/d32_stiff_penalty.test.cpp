@@ -13,7 +13,8 @@ namespace {
 template <class MakeContact>
 double largest_energy(double step_factor, const MakeContact& contact) {
   const Bars bars(20);
-  auto run = bars.run(0.5, -0.5, 0, {.step_factor = step_factor, .energy_tolerance = 1e9}, contact(bars));
+  auto run = bars.run(0.5, -0.5, 0, {.step_factor = step_factor, .largest_step = bars.h / c, .energy_tolerance = 1e9},
+                      contact(bars));
   double most = 0;
   for (int n = 0; n < 200; ++n) {
     run.step();

@@ -28,7 +28,7 @@ struct Erosion {
 
   void ranges(const auto& number) const {
     number("strain", strain, range::or_infinite(range::positive));
-    number("volume", volume, Range{.low = 0, .high = 1, .without_low = false});
+    number("volume", volume, range::not_negative);
     number("step", step, range::not_negative);
   }
 

@@ -1,15 +1,22 @@
 #pragma once
+#include <algorithm>
 #include <concepts>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/mesh/select.hpp>
+#include <strike/mesh/part_faces.hpp>
 #include <strike/range.hpp>
+#include <strike/scalar/scalar.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -74,15 +81,31 @@ class InitialVelocity {
 };
 
 /// The velocity of all nodes at the start by their positions, a function Eigen::Vector3d(const Eigen::Vector3d&). Where
-/// it is that of a rigid body about a node, plates get the spin as their angular velocity; elsewhere they do not turn.
-/// Error: a velocity that is not finite.
+/// the plates around a node move as one rigid body, it gets their spin as its angular velocity; elsewhere it does not
+/// turn. Error: a velocity that is not finite.
 template <class Field>
 class InitialVelocityField {
  public:
   explicit InitialVelocityField(Field field) : field_(std::move(field)) {}
 
   template <class N>
+    requires(!N::nodes_turn)
   void begin(N& nodes) const {
+    set_velocities(nodes);
+  }
+  template <class N>
+    requires(N::nodes_turn)
+  void begin(N& nodes, std::span<const PartFaces> parts) const {
+    set_velocities(nodes);
+    set_spins(nodes, parts);
+  }
+
+  template <class Archive>
+  void serialize(Archive&) {}
+
+ private:
+  template <class N>
+  void set_velocities(N& nodes) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const typename N::Vector v = field_(nodes.x(i));
       const Eigen::Vector3d value = v.template cast<double>();
@@ -92,35 +115,44 @@ class InitialVelocityField {
                                     detail::text(value), "; it must be finite."}));
       nodes.set_velocity(i, v);
     }
-    if constexpr (N::nodes_turn) turn(nodes);
   }
-
-  template <class Archive>
-  void serialize(Archive&) {}
-
- private:
-  /// Central differences over a thousandth of the scene, exact for a rigid motion but for rounding.
+  /// The motion of a rigid body that is nearest to that of a plate's corners, d apart from their mean, has
+  /// sum of (d.d I - d d^T) w = sum of d x v.
   template <class N>
-  void turn(N& nodes) const {
-    std::vector<Eigen::Vector3d> all;
-    for (std::size_t i = 0; i < nodes.size(); ++i) all.push_back(nodes.x(i).template cast<double>());
-    const double h = 1e-3 * extent(all);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      Eigen::Matrix3d gradient;
-      for (int c = 0; c < 3; ++c) {
-        const Eigen::Vector3d way = h * unit(Axis{c});
-        const auto at = [&](const Eigen::Vector3d& x) {
-          return Eigen::Vector3d(
-              typename N::Vector(field_(typename N::Vector(x.cast<typename N::Number>()))).template cast<double>());
-        };
-        gradient.col(c) = (at(all[i] + way) - at(all[i] - way)) / (2 * h);
+  static void set_spins(N& nodes, std::span<const PartFaces> parts) {
+    constexpr double rounding = 1e3 * static_cast<double>(std::numeric_limits<RealOf<typename N::Number>>::epsilon());
+    std::vector<Eigen::Vector3d> spin(nodes.size(), Eigen::Vector3d::Zero());
+    std::vector<char> turns(nodes.size(), 0), is_rigid(nodes.size(), 1);
+    for (const PartFaces& part : parts) {
+      if (!(part.thickness > 0)) continue;
+      for (const Face& plate : part.faces) {
+        const std::size_t corners = plate.is_triangle() ? 3 : 4;
+        Eigen::Matrix<double, 3, 4> d = Eigen::Matrix<double, 3, 4>::Zero(), v = d;
+        for (std::size_t k = 0; k < corners; ++k) {
+          d.col(Eigen::Index(k)) = nodes.x(plate.nodes[k]).template cast<double>();
+          v.col(Eigen::Index(k)) = nodes.v(plate.nodes[k]).template cast<double>();
+        }
+        const auto own = Eigen::Index(corners);
+        const double largest = v.cwiseAbs().maxCoeff();
+        d.leftCols(own).colwise() -= d.leftCols(own).rowwise().mean().eval();
+        v.leftCols(own).colwise() -= v.leftCols(own).rowwise().mean().eval();
+        Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+        for (Eigen::Index k = 0; k < own; ++k) moment += d.col(k).cross(v.col(k));
+        const Eigen::Matrix3d inertia = d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
+        const Eigen::Vector3d w = inertia.ldlt().solve(moment);
+        for (Eigen::Index k = 0; k < own; ++k) v.col(k) -= w.cross(d.col(k));
+        const double size = d.norm();
+        const bool moves_rigidly = v.norm() <= std::max(1e-6, rounding) * w.norm() * size + rounding * 1e-2 * largest;
+        for (std::size_t k = 0; k < corners; ++k) {
+          const Index i = plate.nodes[k];
+          const bool agrees = !turns[i] || (spin[i] - w).norm() * size <= 1e-6 * w.norm() * size + rounding * largest;
+          is_rigid[i] = is_rigid[i] && moves_rigidly && agrees;
+          spin[i] = w, turns[i] = 1;
+        }
       }
-      const Eigen::Matrix3d rotation = 0.5 * (gradient - gradient.transpose());
-      const double turned = rotation.norm(), strained = (gradient - rotation).norm();
-      if (turned > 0 && strained < 1e-6 * turned)
-        nodes.set_angular_velocity(
-            i, Eigen::Vector3d(rotation(2, 1), rotation(0, 2), rotation(1, 0)).cast<typename N::Number>());
     }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (turns[i] && is_rigid[i]) nodes.set_angular_velocity(i, spin[i].template cast<typename N::Number>());
   }
 
   Field field_;
