@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -177,6 +179,42 @@ template <class Model>
 template <class Model>
 void RangeCheck::operator()(const Model& model, std::string_view place) const {
   check_ranges(model, place.empty() ? where_ : joined({where_, where_.empty() ? ", in " : " in ", place, ","}));
+}
+/// The numbers of a model and of models in it, in the order in which their `ranges` visit them.
+class Constants {
+ public:
+  explicit Constants(std::vector<double>& all) : all_(all) {}
+
+  template <class Number>
+    requires std::convertible_to<Number, double> || std::is_arithmetic_v<Number>
+  void operator()(std::string_view, const Number& number, const Range&, std::string_view = {}) const {
+    all_.push_back(static_cast<double>(number));
+  }
+  template <class Numbers>
+    requires requires(const Numbers& numbers, const Constants& constants, const Range& range) {
+      constants("", numbers[numbers.size() - 1], range);
+    }
+  void operator()(std::string_view name, const Numbers& numbers, const Range& range, std::string_view = {}) const {
+    for (const auto& number : numbers) (*this)(name, number, range);
+  }
+  template <class Vector>
+  void operator()(std::string_view, const Eigen::MatrixBase<Vector>& vector, VectorRange, std::string_view = {}) const {
+    const auto value = vector.eval();
+    for (Eigen::Index i = 0; i < value.size(); ++i) all_.push_back(static_cast<double>(value(i)));
+  }
+  template <class Model>
+  void operator()(const Model& model, std::string_view = {}) const {
+    if constexpr (answers<Ranges, const Model, const Constants>) Ranges::call(model, *this);
+  }
+
+ private:
+  std::vector<double>& all_;
+};
+template <class Model>
+[[gnu::cold]] std::vector<double> constants_of(const Model& model) {
+  std::vector<double> all;
+  Constants{all}(model);
+  return all;
 }
 /// The model itself, checked.
 template <class Model>

@@ -140,6 +140,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   void serialize(Archive& archive) {
     archive(this->nodes_, bound_, damping_, ledger_, energy_, step_, stable_, bounded_, smallest_step_, clock_, cycle_);
     this->each([&](auto& item) {
+      archive.same(detail::constants_of(item));
       if constexpr (requires { item.serialize(archive); }) archive(item);
     });
   }

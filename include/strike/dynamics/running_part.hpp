@@ -151,6 +151,9 @@ class RunningPart {
         f, [&](const State& state, const auto& add) { state.each_point(k, [&](const auto& point) { add(point); }); });
   }
 
+  void ranges(const auto& number) const {
+    number(elements_.element), number(elements_.material), number(elements_.removal);
+  }
   /// "element 7 of part 0 at (x, y, z)", by its number as given.
   std::string describe(const Nodes& nodes, std::size_t e) const {
     return elements_.describe(nodes, elements_.place_of(e));

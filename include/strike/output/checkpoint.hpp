@@ -89,7 +89,8 @@ class CheckpointReader final : public Archive {
                      std::to_string(ours.version), "; continue with the version that wrote it"}));
     if (read_tail().scene != scene)
       refuse(
-          "is of another scene: its mesh, elements, materials, numbers or observers differ; continue with the program "
+          "is of another scene: its mesh, its items, their constants or its observers differ; continue with the "
+          "program "
           "that wrote it");
     std::fseek(file_.stream, sizeof head, SEEK_SET);
   }
