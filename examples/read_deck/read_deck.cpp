@@ -20,13 +20,13 @@ int main() {  // the deck is in millimetres, milliseconds, kilograms
   const VelocityCard& flight = deck.velocities.at(0);
   const WallCard& wall = deck.walls.at(0);
 
-  Explicit run{
-      Scene{deck.mesh.nodes,
-            Part{Hex8{ViscousHourglass{deck.hourglass("bar").coefficient}}, Solid{copper.eos, copper.strength},
-                 bar.hexahedra},
-            InitialVelocity{flight.velocity, flight.nodes}, Support{x.nodes, x.directions(), x.axes()},
-            Support{y.nodes, y.directions(), y.axes()}, RigidWall{wall.point, wall.normal, wall.nodes, wall.friction}},
-      {.step_factor = deck.step_factor}};
+  Explicit run{Scene{deck.mesh.nodes,
+                     Part{Hex8{ViscousHourglass{deck.hourglass("bar").coefficient}}, Solid{copper.eos, copper.strength},
+                          bar.hexahedra},
+                     InitialVelocity{flight.velocity, Spin{flight.spin, flight.centre}, flight.nodes},
+                     Support{x.nodes, x.directions(), x.axes()}, Support{y.nodes, y.directions(), y.axes()},
+                     RigidWall{wall.point, wall.normal, wall.nodes, wall.friction}},
+               {.step_factor = deck.step_factor}};
   run.until(deck.end_time);
 
   double length = 0;
