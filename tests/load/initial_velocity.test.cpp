@@ -61,7 +61,7 @@ TEST_CASE("a field that strains gives no spin, whatever it jumps by") {
 
 TEST_CASE("a spin of some nodes leaves the others at rest") {
   const auto run = flying(InitialVelocity{flight, Spin{spin, centre}, {3, 5}});
-  for (const Index i : {3, 5}) {
+  for (const Index i : {Index{3}, Index{5}}) {
     CHECK((run.nodes().v(i) - rigid(mesh.nodes[i])).norm() < 1e-14 * flight.norm());
     CHECK(run.nodes().w(i) == spin);
   }

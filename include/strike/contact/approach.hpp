@@ -180,8 +180,9 @@ class Approach {
     for (std::size_t k = chosen.first; k < chosen.last; ++k) follow(last_[k], first, all, dt, found);
     const bool comes_round = found.gone_past.size() > gone_past || rounding.has(nodes_[chosen.node]);
     // Faces rest only as long as the touches stay on theirs.
-    bool look_at_all = comes_round || !std::equal(last_.begin() + chosen.first, last_.begin() + chosen.last,
-                                                  found.touches.begin() + first, found.touches.end(),
+    const auto before = std::span(last_).subspan(chosen.first, chosen.last - chosen.first),
+               now = std::span(found.touches).subspan(first);
+    bool look_at_all = comes_round || !std::equal(before.begin(), before.end(), now.begin(), now.end(),
                                                   [](const Touch& a, const Touch& b) { return a.face == b.face; });
     if (!look_at_all && near_.rests(chosen.node)) return;
     while (found.touches.size() < first + most_touches &&

@@ -155,9 +155,9 @@ class FirstTouch {
   /// True if two faces hang together and each lies behind the other or in its plane.
   bool is_crest(Index f, Index other) const {
     const Eigen::Vector3d apart = faces_.target.middle(other, all_.x) - faces_.target.middle(f, all_.x);
-    const double flat = 1e-3 * apart.norm();
-    return faces_.are_connected(f, other) && faces_.normal(f, all_).dot(apart) < flat &&
-           faces_.normal(other, all_).dot(apart) > -flat;
+    const double level = 1e-3 * apart.norm();
+    return faces_.are_connected(f, other) && faces_.normal(f, all_).dot(apart) < level &&
+           faces_.normal(other, all_).dot(apart) > -level;
   }
   /// True if the touched face of a solid and face f meet in a dent of more than 25 degrees, where a node touches both.
   bool is_sharp_dent(const Touch& touch, Index f) const {

@@ -114,7 +114,7 @@ class Archive {
   template <class T>
   void identity(const T& value) {
     if constexpr (requires { value.data(); })
-      note(value.data(), value.size() * sizeof(*value.data()));
+      note(value.data(), static_cast<std::size_t>(value.size()) * sizeof(*value.data()));
     else if constexpr (is_plain<T>)
       note(&value, sizeof value);
     else
