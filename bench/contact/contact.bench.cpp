@@ -78,6 +78,7 @@ void strike_plates(benchmark::State& bench, int threads, const Contacts&... cont
       mesh, translated(box({.size = {33 * h, 33 * h, 16 * h}, .cells = {32, 32, 16}}), {15.3 * h, 15.7 * h, 0.52 * h}));
   std::vector<Index> block;
   for (Index i = first; i < mesh.nodes.size(); ++i) block.push_back(i);
+  constexpr std::size_t enough = 10;  // pairs
   double steps = 0, pairs = 0;
   for (auto _ : bench) {
     Explicit run{
@@ -90,9 +91,9 @@ void strike_plates(benchmark::State& bench, int threads, const Contacts&... cont
       if constexpr (sizeof...(Contacts) > 0)
         return run.template contact<0>().pairs().size();
       else
-        return std::size_t{1};
+        return enough;
     };
-    while (in_touch() < 10) run.step();
+    while (in_touch() < enough) run.step();
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < 20; ++i) run.step(), steps += 1, pairs += static_cast<double>(in_touch());
     bench.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 20);

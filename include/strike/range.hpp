@@ -45,8 +45,10 @@ struct Range {
   }
   /// After "it must be", of a value that is outside.
   [[gnu::cold]] std::string words(double value) const {
-    return detail::joined(
-        {words(), is_too_large(value) ? detail::joined({" and at most ", detail::text(largest), " in size"}) : ""});
+    const std::string in = words();
+    if (!is_too_large(value)) return in;
+    if (std::isinf(value)) return in == "finite" ? in : in + " and finite";
+    return detail::joined({in, " and at most ", detail::text(largest), " in size"});
   }
   [[gnu::cold]] std::string words() const {
     using detail::joined, detail::text;
