@@ -47,7 +47,7 @@ class FirstTouch {
   /// Looks whether the node meets face f. Returns by how much both may move relative to each other before they can, as
   /// long as the node's touches stay on their faces [length].
   double consider(Index f) {
-    if (self && faces_.target.has(f, i_)) return never;
+    if (self && (faces_.target.has(f, i_) || is_kept_apart(f))) return never;
     const Corners X = faces_.target.corners(f, all_.x);
     const Reach reach = reach_to(f);
     const Eigen::Vector3d diagonals[] = {X[2] - X[0], X[3] - X[1]}, area = cross<double>(diagonals[0], diagonals[1]),
@@ -96,6 +96,10 @@ class FirstTouch {
     double when = 2;  // in steps, from now
   };
 
+  /// A face of its neighbourhood, or of a piece that is left out.
+  bool is_kept_apart(Index f) const {
+    return (faces_.is_at_a_distance(i_, f) && neighbourhood_.has(i_, f)) || !faces_.target.may_touch(i_, f);
+  }
   Reach reach_to(Index f) const {
     Reach reach = faces_.reach(i_, f);
     if (comes_round_ && !faces_.is_at_a_distance(i_, f)) reach.slack = faces_.slack();
@@ -116,7 +120,6 @@ class FirstTouch {
 
   void meet(Index f, const Crossing& crossing, double when) {
     const bool at_a_distance = faces_.is_at_a_distance(i_, f);
-    if (self && ((at_a_distance && neighbourhood_.has(i_, f)) || !faces_.target.may_touch(i_, f))) return;
     if (is_part_of_a_touch(f, crossing)) return;
     // At a distance the faces of a common edge have one normal, that of the one which is met first.
     const double rate = std::max(crossing.rate, first_.crossing.rate);
