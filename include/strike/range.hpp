@@ -14,7 +14,7 @@
 #include <strike/protocol.hpp>
 #include <strike/text.hpp>
 
-// What a number of a model may be is said once, beside the numbers:
+// The values that a number of a model may have are said once, beside the numbers:
 //
 //   struct VonMises {
 //     double shear_modulus, yield_stress, hardening_modulus = 0;
@@ -67,7 +67,7 @@ struct Range {
   }
 };
 
-/// What a vector may be.
+/// The values that a vector may have.
 enum class VectorRange { finite, not_zero };
 
 namespace range {

@@ -230,7 +230,7 @@ TEST_CASE("checkpoint: what is not whole, foreign or of another scene is refused
 
 TEST_CASE("checkpoint: another constant, node, face or place of an item is another scene, and changes nothing") {
   struct Given {
-    double yield_stress = 0.4, friction = 0.1, wall = 0, pressed = 6;
+    double yield_stress = 0.4, friction = 0.1, plane = 0.1, wall = 0, pressed = 6;
     Index layer = 6;  // of the nodes that a force acts on
   };
   const ScratchFolder folder("checkpoint_of_another");
@@ -243,16 +243,19 @@ TEST_CASE("checkpoint: another constant, node, face or place of an item is anoth
   };
   const auto made = [&](const Given& is) {
     const VonMises strength{.shear_modulus = 43.3, .yield_stress = is.yield_stress, .hardening_modulus = 0.1};
-    return Explicit{Scene{mesh.nodes, Part{Hex8{}, Solid{copper_eos, strength}, mesh.hexahedra},
-                          RigidWall{{0, 0, is.wall}, {0, 0, 1}, is.friction},
-                          NodalForce{{0, 0, -0.1}, nodes_where(mesh.nodes, on_plane(Axis::z, is.layer))},
-                          Pressure{faces_at(is.pressed), Curve{{{0, 0}, {1, 1}}}}}};
+    return Explicit{
+        Scene{mesh.nodes, Part{Hex8{}, Solid{copper_eos, strength}, mesh.hexahedra},
+              RigidWall{{0, 0, is.wall}, {0, 0, 1}, is.friction},
+              Contact{NodeToRigid{nodes_where(mesh.nodes, on_plane(Axis::z, 0)), RigidPlane{{0, 0, -1}, {0, 0, 1}}},
+                      Coulomb{is.plane}},
+              NodalForce{{0, 0, -0.1}, nodes_where(mesh.nodes, on_plane(Axis::z, is.layer))},
+              Pressure{faces_at(is.pressed), Curve{{{0, 0}, {1, 1}}}}}};
   };
   auto run = made({});
   for (int n = 0; n < 3; ++n) run.step();
   write_checkpoint(path, run);
-  for (const Given& other : {Given{.yield_stress = 0.5}, Given{.friction = 0.2}, Given{.wall = -1}, Given{.pressed = 0},
-                             Given{.layer = 5}}) {
+  for (const Given& other : {Given{.yield_stress = 0.5}, Given{.friction = 0.2}, Given{.plane = 0.2}, Given{.wall = -1},
+                             Given{.pressed = 0}, Given{.layer = 5}}) {
     auto another = made(other);
     CHECK_THROWS_WITH(read_checkpoint(path, another), Catch::Matchers::ContainsSubstring("is of another scene"));
     CHECK(another.positions() == mesh.nodes);

@@ -19,6 +19,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/motion/step.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 
 namespace strike::detail {
@@ -40,6 +41,10 @@ class PlaneContact {
         nodes_(std::move(nodes)),
         thickness_(thickness) {
     point_ += (0.5 * thickness.value_or(0.0)) * normal_;
+  }
+
+  void ranges(const auto& number) const {
+    number("point", point_, range::point), number("normal", normal_, range::direction), number(friction_);
   }
 
   /// Nodes that start inside keep their initial depth without force until they leave. Error: no such node.
@@ -153,7 +158,7 @@ class PlaneContact {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.same(point_, normal_, nodes_);
+    archive.same(nodes_);
     archive(force_, impulse_, kick_, inside_, touches_, beside_);
   }
 

@@ -83,8 +83,8 @@ class Numbering {
   Index twice_ = nothing;
 };
 
-/// What copies of parts, sets and cards may name together: a multiple of the size of the file, so that memory and time
-/// are linear in it.
+/// How much copies of parts, sets and cards may name together: a multiple of the size of the file, so that memory and
+/// time are linear in it.
 class Allowance {
  public:
   explicit Allowance(const Source& source) : source_(&source), left_(1'000'000 + 32 * source.size()) {}

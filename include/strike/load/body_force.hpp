@@ -37,7 +37,6 @@ class BodyForce {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.same(acceleration_);
     archive(now_);
   }
 

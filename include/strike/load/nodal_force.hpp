@@ -40,7 +40,7 @@ class NodalForce {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.same(force_, nodes_);
+    archive.same(nodes_);
     archive(now_);
   }
 

@@ -69,7 +69,7 @@ class PrescribedMotion {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.same(direction_, nodes_);
+    archive.same(nodes_);
   }
 
  private:

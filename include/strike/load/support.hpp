@@ -50,7 +50,7 @@ class Support {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.same(nodes_, directions_, axes_);
+    archive.same(nodes_);
   }
 
  private:

@@ -72,7 +72,7 @@ inline void thick_plates(File& file, Draft& draft) {
   });
 }
 
-/// What follows the card of a part.
+/// The cards that follow that of a part.
 enum class PartOption { none, inertia, contact };
 template <PartOption option = PartOption::none>
 void parts(File& file, Draft& draft) {
