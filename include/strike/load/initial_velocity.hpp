@@ -116,43 +116,54 @@ class InitialVelocityField {
       nodes.set_velocity(i, v);
     }
   }
-  /// The motion of a rigid body that is nearest to that of a plate's corners, d apart from their mean, has
-  /// sum of (d.d I - d d^T) w = sum of d x v.
+  /// Angular velocities of the nodes all of whose plates move as one rigid body.
   template <class N>
   static void set_spins(N& nodes, std::span<const PartFaces> parts) {
     constexpr double rounding = 1e3 * static_cast<double>(std::numeric_limits<RealOf<typename N::Number>>::epsilon());
     std::vector<Eigen::Vector3d> spin(nodes.size(), Eigen::Vector3d::Zero());
     std::vector<char> turns(nodes.size(), 0), is_rigid(nodes.size(), 1);
-    for (const PartFaces& part : parts) {
-      if (!(part.thickness > 0)) continue;
-      for (const Face& plate : part.faces) {
-        const std::size_t corners = plate.is_triangle() ? 3 : 4;
-        Eigen::Matrix<double, 3, 4> d = Eigen::Matrix<double, 3, 4>::Zero(), v = d;
-        for (std::size_t k = 0; k < corners; ++k) {
-          d.col(Eigen::Index(k)) = nodes.x(plate.nodes[k]).template cast<double>();
-          v.col(Eigen::Index(k)) = nodes.v(plate.nodes[k]).template cast<double>();
-        }
-        const auto own = Eigen::Index(corners);
-        const double largest = v.cwiseAbs().maxCoeff();
-        d.leftCols(own).colwise() -= d.leftCols(own).rowwise().mean().eval();
-        v.leftCols(own).colwise() -= v.leftCols(own).rowwise().mean().eval();
-        Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-        for (Eigen::Index k = 0; k < own; ++k) moment += d.col(k).cross(v.col(k));
-        const Eigen::Matrix3d inertia = d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
-        const Eigen::Vector3d w = inertia.ldlt().solve(moment);
-        for (Eigen::Index k = 0; k < own; ++k) v.col(k) -= w.cross(d.col(k));
-        const double size = d.norm();
-        const bool moves_rigidly = v.norm() <= std::max(1e-6, rounding) * w.norm() * size + rounding * 1e-2 * largest;
-        for (std::size_t k = 0; k < corners; ++k) {
-          const Index i = plate.nodes[k];
-          const bool agrees = !turns[i] || (spin[i] - w).norm() * size <= 1e-6 * w.norm() * size + rounding * largest;
-          is_rigid[i] = is_rigid[i] && moves_rigidly && agrees;
-          spin[i] = w, turns[i] = 1;
-        }
+    const auto look = [&](const Face& plate) {
+      const PlateMotion motion = motion_of(plate, nodes);
+      const double turned = motion.spin.norm() * motion.size;
+      const bool moves_rigidly =
+          motion.strained <= std::max(1e-6, rounding) * turned + rounding * 1e-2 * motion.fastest;
+      for (std::size_t k = 0; k < corners_of(plate); ++k) {
+        const Index i = plate.nodes[k];
+        const bool agrees =
+            !turns[i] || (spin[i] - motion.spin).norm() * motion.size <= 1e-6 * turned + rounding * motion.fastest;
+        is_rigid[i] = is_rigid[i] && moves_rigidly && agrees;
+        spin[i] = motion.spin, turns[i] = 1;
       }
-    }
+    };
+    for (const PartFaces& part : parts)
+      if (part.thickness > 0) std::for_each(part.faces.begin(), part.faces.end(), look);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (turns[i] && is_rigid[i]) nodes.set_angular_velocity(i, spin[i].template cast<typename N::Number>());
+  }
+
+  /// The motion of a rigid body that is nearest to that of a plate's corners.
+  struct PlateMotion {
+    Eigen::Vector3d spin;            // [1/time]
+    double size, strained, fastest;  // of the plate [length]; what is left of the velocities, the largest of them
+  };
+  static std::size_t corners_of(const Face& plate) { return plate.is_triangle() ? 3 : 4; }
+  /// sum of (d.d I - d d^T) w = sum of d x v, of corners that are d and move by v from their mean.
+  template <class N>
+  static PlateMotion motion_of(const Face& plate, const N& nodes) {
+    const auto own = static_cast<Eigen::Index>(corners_of(plate));
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 4> d(3, own), v(3, own);
+    for (Eigen::Index k = 0; k < own; ++k) {
+      const Index i = plate.nodes[static_cast<std::size_t>(k)];
+      d.col(k) = nodes.x(i).template cast<double>(), v.col(k) = nodes.v(i).template cast<double>();
+    }
+    const double fastest = v.cwiseAbs().maxCoeff();
+    d.colwise() -= d.rowwise().mean().eval(), v.colwise() -= v.rowwise().mean().eval();
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    for (Eigen::Index k = 0; k < own; ++k) moment += d.col(k).cross(v.col(k));
+    const Eigen::Matrix3d inertia = d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
+    const Eigen::Vector3d spin = inertia.ldlt().solve(moment);
+    for (Eigen::Index k = 0; k < own; ++k) v.col(k) -= spin.cross(d.col(k));
+    return {spin, d.norm(), v.norm(), fastest};
   }
 
   Field field_;
