@@ -1,5 +1,6 @@
 // A strength law of your own, Voce's saturating hardening: verified at one point, then used in the Taylor bar.
 #include <cmath>
+#include <cstdio>
 
 #include <strike/draw/picture.hpp>
 #include <strike/strike.hpp>
@@ -18,7 +19,7 @@ struct Voce {
   }
 };
 
-int main() {  // millimetres, milliseconds, kilograms; so kN and GPa
+int main() try {  // millimetres, milliseconds, kilograms; so kN and GPa
   const Voce voce{.shear_modulus = 43.3, .yield_stress = 0.3, .saturation_stress = 0.55, .saturation_strain = 0.2};
   const Solid copper{LinearEos{.density = 8.93e-6, .bulk_modulus = 130}, voce};
 
@@ -49,4 +50,6 @@ int main() {  // millimetres, milliseconds, kilograms; so kN and GPa
   bench.expect({"length of the bar", length, "mm"});
   bench.expect({"energy error", run.energy().error(), "1", 0, 1e-3, "balance"});
   return bench.finish();
+} catch (const Error& error) {
+  return std::fprintf(stderr, "%s\n", error.what()), 1;
 }

@@ -10,7 +10,7 @@
 
 using namespace strike;
 
-int main() {  // the deck is in millimetres, milliseconds, kilograms
+int main() try {  // the deck is in millimetres, milliseconds, kilograms
   const DynaDeck deck = read_dyna("../../examples/read_deck/taylor_bar.k");
   for (const std::string& warning : deck.warnings) std::printf("%s\n", warning.c_str());
 
@@ -37,4 +37,6 @@ int main() {  // the deck is in millimetres, milliseconds, kilograms
   results.write("results.csv");
   std::printf("final length %.3f mm, 21.47 with X3D and 1350 elements; energy error %.1e\n", length,
               run.energy().error());
+} catch (const Error& error) {
+  return std::fprintf(stderr, "%s\n", error.what()), 1;
 }

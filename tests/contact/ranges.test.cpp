@@ -91,7 +91,7 @@ TEST_CASE("laws have numbers that make sense") {
         Contact{pairing, Penalty{.stiffness = -1}};
       },
       "the stiffness of Penalty is -1; it must be zero or positive.");
-  refused([&] { Contact{pairing, Kinematic{.sweeps = 0}}; }, "the sweeps of Kinematic is 0; it must be at least 1.");
+  refused([&] { Contact{pairing, Kinematic{.iterations = 0}}; }, "the iterations of Kinematic is 0; it must be at least 1.");
   refused([&] { Contact{pairing, Coulomb{-0.3}}; }, "the coefficient of Coulomb is -0.3; it must be zero or positive.");
   CHECK_NOTHROW(Contact{pairing, Penalty{.fraction = 2}, Coulomb{0}});
 }

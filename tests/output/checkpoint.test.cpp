@@ -226,6 +226,15 @@ TEST_CASE("checkpoint: what is not whole, foreign or of another scene is refused
                     "strike: the position of node 1 is not finite, so that the checkpoint '" + path +
                         "' is not written: go on from the one before.");
   CHECK(content_of(path) == before);
+
+  detail::replace_file(path, [&](detail::OutputFile& file) {  // as a program that does not look would leave it
+    detail::CheckpointWriter archive(file);
+    archive(lost);
+    archive.finish();
+  });
+  Moving found;
+  CHECK_THROWS_WITH(read_checkpoint(path, found), "strike: the position of node 1 is not finite in the checkpoint '" +
+                                                      path + "': take an older one, or start anew.");
 }
 
 TEST_CASE("checkpoint: another constant, node, face or place of an item is another scene, and changes nothing") {

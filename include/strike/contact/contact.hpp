@@ -148,57 +148,45 @@ class Contact {
   static constexpr bool closes =
       detail::answers<detail::ClosingStep, detail::MeetingOf<P>, const ContactNodes, double, double>;
 
-  /// Friction against the velocity along the surface that the normal impulses have left. Pairs that share nodes are
-  /// corrected one after the other, forward and backward in turn, each anew from what it has given, until no correction
-  /// counts (projected Gauss-Seidel). They begin with their friction in the last step, so that what sticks does not
-  /// creep; without it if that would add energy.
+  /// Friction against the velocity along the surface that the normal impulses have left: the impulses of all pairs
+  /// follow together, and begin with their friction in the last step, so that what sticks does not creep; without it if
+  /// that would add energy.
   template <class E>
   void rub(const E& execution) {
     using namespace detail;
     CoupledPairs coupled(pairs_, all_, execution);
-    struct Sliding {
-      Eigen::Vector3d given{0, 0, 0}, before;  // impulse against it [force time]; velocity without it
-    };
-    std::vector<Sliding> all(pairs_.size());
-    const auto give = [&](std::size_t p, const Eigen::Vector3d& impulse) {
-      coupled.give(p, all[p].given - impulse), all[p].given = impulse;
-    };
-    const double fastest = coupled.sweep(execution, true, [&](std::size_t p) {
-      all[p].before = coupled.velocity(p);
-      return along(pairs_[p], all[p].before).norm();
-    });
-    const auto correct = [&](std::size_t p) {
-      if (!(pairs_[p].impulse > 0)) return 0.0;
-      const Eigen::Vector3d sliding = along(pairs_[p], coupled.velocity(p));
-      const double speed = sliding.norm();
-      if (!(speed > 0)) return 0.0;
-      const double inverse_effective_mass = pairs_[p].inverse_effective_mass_along(all_, (1 / speed) * sliding);
-      if (!(inverse_effective_mass > 0)) return 0.0;
-      const Eigen::Vector3d wanted = bounded(pairs_[p], all[p].given + (1 / inverse_effective_mass) * sliding);
-      const double change = (wanted - all[p].given).norm() * inverse_effective_mass;
-      give(p, wanted);
-      return change;
-    };
-    const auto settle = [&] {
-      for (Settling settling(fastest, 100); settling.goes_on();)
-        settling.note(coupled.sweep(execution, settling.is_forward(), correct));
-    };
-    coupled.each(execution, [&](std::size_t p) {
+    const Eigen::Vector3d none{0, 0, 0};
+    std::vector<Eigen::Vector3d> impulses(pairs_.size(), none), before(pairs_.size());  // velocities without friction
+    const double fastest = coupled.largest(execution, [&](std::size_t p) {
       const ContactPair& pair = pairs_[p];
-      if (pair.friction && pair.impulse > 0) give(p, bounded(pair, step_.kick() * along(pair, *pair.friction)));
+      before[p] = coupled.velocity(p);
+      if (pair.friction && pair.impulse > 0)
+        impulses[p] = bounded(pair, Eigen::Vector3d(step_.kick() * along(pair, *pair.friction)));
+      return along(pair, before[p]).norm();
     });
+    coupled.each(execution, [&](std::size_t p) { coupled.give(p, impulses[p]); });
+    const auto settle = [&] {
+      constexpr int iterations = 50;
+      coupled.settle(
+          execution, impulses, 1e-6 * fastest, iterations,
+          [&](std::size_t p) { return Eigen::Vector3d(-along(pairs_[p], coupled.velocity(p))); },
+          [&](std::size_t p, const Eigen::Vector3d& J) {
+            return pairs_[p].impulse > 0 ? bounded(pairs_[p], J) : none;
+          });
+    };
     settle();
     double work = 0;
-    for (std::size_t p = 0; p < all.size(); ++p) work -= 0.5 * all[p].given.dot(all[p].before + coupled.velocity(p));
+    for (std::size_t p = 0; p < pairs_.size(); ++p) work += 0.5 * impulses[p].dot(before[p] + coupled.velocity(p));
     if (work > 0) {
-      coupled.each(execution, [&](std::size_t p) { give(p, Eigen::Vector3d{0, 0, 0}); });
+      coupled.each(execution,
+                   [&](std::size_t p) { coupled.give(p, Eigen::Vector3d(-impulses[p])), impulses[p] = none; });
       settle();
     }
     coupled.end(all_, execution);
     coupled.each(execution, [&](std::size_t p) {
       const ContactPair& pair = pairs_[p];
-      for (unsigned i = 0; i < pair.count; ++i) all_.book_drag(pair.nodes[i], -pair.weights[i] * all[p].given);
-      if (pair.friction) *pair.friction = (1 / step_.kick()) * all[p].given;
+      for (unsigned i = 0; i < pair.count; ++i) all_.book_drag(pair.nodes[i], pair.weights[i] * impulses[p]);
+      if (pair.friction) *pair.friction = (1 / step_.kick()) * impulses[p];
     });
   }
   /// The part of a vector along the surface.

@@ -139,6 +139,8 @@ class ContactNodes {
   double inverse_mass(Index i) const { return inverse_mass_[i]; }
   /// True if conditions hold it in a direction.
   bool is_held(Index i) const { return held_[i] >= 0; }
+  /// True if they hold it in every direction.
+  bool is_held_fast(Index i) const { return is_held(i) && free_[static_cast<std::size_t>(held_[i])].isZero(); }
   /// Stiffness of the cells of a node, by which they swing with it at about their stable step; 0 if it is not known
   /// [force/length].
   double spring(Index i) const { return spring_[i]; }

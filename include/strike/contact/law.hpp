@@ -25,96 +25,47 @@ inline double stable_step_with_contact(double dt, double kappa) {
 }
 
 /// Impulses that bring nodes to the surface at the end of the step: inelastic impacts of m*, without a stiffness or a
-/// smaller step, at any speed. Pairs that share nodes are corrected one after the other, forward and backward in turn,
-/// each with the velocities that the others have left; an impulse that they make needless is taken back (projected
-/// Gauss-Seidel), until no correction is more than 1e-6 of the fastest approach: so their order does not count. Touches
-/// begin with their force in the last step, so that what rests comes to rest, and most steps take few sweeps. A node
-/// that is inside, because its neighbours moved its face, leaves no faster than it came in: no impulse adds energy.
+/// smaller step, at any speed. The impulses of pairs that share nodes follow together (CoupledPairs::settle), each from
+/// the velocities that all leave, and none pulls: until no pair misses more than 1e-6 of the fastest approach, or after
+/// `iterations`, where more is asked of nodes than they can give; the next step takes up what is left. Touches begin
+/// with their force in the last step, so that what rests comes to rest, and most steps take few iterations. A node that
+/// is inside, because its neighbours moved its face, leaves no faster than it came in: no impulse adds energy.
 struct Kinematic {
-  int sweeps = 400;  ///< largest number of corrections of every pair in a step
+  int iterations = 50;  ///< in a step at most
 
-  void ranges(const auto& number) const { number("sweeps", sweeps, range::at_least(1)); }
+  void ranges(const auto& number) const { number("iterations", iterations, range::at_least(1)); }
 
   template <Execution E = Serial>
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step, const E& execution = {}) const {
     detail::CoupledPairs coupled(pairs, nodes, execution);
-    std::vector<Approach> all(pairs.size());
-    coupled.each(execution, [&](std::size_t p) { all[p] = approach(coupled, pairs[p], p, step); });
-    coupled.each(execution, [&](std::size_t p) {
-      if (all[p].impulse > 0) coupled.give(p, all[p].impulse);
+    std::vector<double> before(pairs.size()), wanted(pairs.size()), impulses(pairs.size());  // before all impulses
+    const double fastest = coupled.largest(execution, [&](std::size_t p) {
+      const ContactPair& pair = pairs[p];
+      before[p] = coupled.approach(p);
+      wanted[p] = std::min(-pair.gap / step.dt, std::max(0.0, -before[p]));
+      impulses[p] = pair.inverse_effective_mass > 0 ? std::max(0.0, *pair.stored * step.kick()) : 0.0;
+      return std::abs(before[p]);
     });
-    correct(coupled, all, true, execution);
-    if (work(coupled, all) > 0) {  // the guess was wrong: without it no impulse adds energy
-      coupled.each(execution, [&](std::size_t p) { coupled.give(p, -all[p].impulse), all[p].impulse = 0; });
-      correct(coupled, all, false, execution);
+    coupled.each(execution, [&](std::size_t p) { coupled.give(p, impulses[p]); });
+    const auto settle = [&] {
+      coupled.settle(
+          execution, impulses, 1e-6 * fastest, iterations,
+          [&](std::size_t p) { return wanted[p] - coupled.approach(p); },
+          [](std::size_t, double J) { return std::max(0.0, J); });
+    };
+    settle();
+    double work = 0;
+    for (std::size_t p = 0; p < pairs.size(); ++p) work += 0.5 * impulses[p] * (before[p] + coupled.approach(p));
+    if (work > 0) {  // the guess was wrong: without it no impulse adds energy
+      coupled.each(execution, [&](std::size_t p) { coupled.give(p, -impulses[p]), impulses[p] = 0; });
+      settle();
     }
     coupled.end(nodes, execution);
     coupled.each(execution, [&](std::size_t p) {
-      *pairs[p].stored = all[p].impulse / step.kick();
-      pairs[p].impulse = all[p].impulse, pairs[p].book(nodes);
+      *pairs[p].stored = impulses[p] / step.kick();
+      pairs[p].impulse = impulses[p], pairs[p].book(nodes);
     });
     return 0;
-  }
-
- private:
-  /// The normal approach of a pair.
-  struct Approach {
-    double before;                  // velocity before all impulses
-    double wanted;                  // at least, after them
-    double inverse_effective_mass;  // [1/mass]
-    double effective_mass;
-    double impulse;            // [force time]
-    double change, direction;  // by the last sweep, and of the sweeps before
-  };
-  static Approach approach(const detail::CoupledPairs& coupled, const ContactPair& pair, std::size_t p,
-                           const Step& step) {
-    const double before = coupled.approach(p), w = pair.inverse_effective_mass;
-    return {.before = before,
-            .wanted = std::min(-pair.gap / step.dt, std::max(0.0, -before)),
-            .inverse_effective_mass = w,
-            .effective_mass = w > 0 ? 1 / w : 0.0,
-            .impulse = w > 0 ? std::max(0.0, *pair.stored * step.kick()) : 0.0,
-            .change = 0,
-            .direction = 0};
-  }
-  /// Without a guess the last sweep takes nothing back, so that it leaves no depth. Where pairs hang together closely,
-  /// each sweep is followed by what the sweeps before point to (nonsmooth nonlinear conjugate gradients, Silcowitz,
-  /// Niebe and Erleben 2010).
-  template <class E>
-  void correct(detail::CoupledPairs& coupled, std::vector<Approach>& all, bool guessed, const E& execution) const {
-    double fastest = 0, norm2 = 0;
-    for (Approach& pair : all) fastest = std::max(fastest, std::abs(pair.before)), pair.direction = 0;
-    for (detail::Settling settling(fastest, sweeps); settling.goes_on();) {
-      const bool is_last = settling.is_last(), may_take_back = guessed || !is_last;
-      settling.note(coupled.sweep(execution, settling.is_forward(), [&](std::size_t p) {
-        Approach& pair = all[p];
-        pair.change =
-            std::max(may_take_back ? -pair.impulse : 0.0, (pair.wanted - coupled.approach(p)) * pair.effective_mass);
-        pair.impulse += pair.change;
-        coupled.give(p, pair.change);
-        return std::abs(pair.change) * pair.inverse_effective_mass;
-      }));
-      if (is_last || settling.sweep() < detail::Settling::patience) continue;
-      const double norm2_before = norm2;
-      norm2 = 0;
-      for (const Approach& pair : all) norm2 += pair.change * pair.change * pair.inverse_effective_mass;
-      if (settling.sweep() == detail::Settling::patience) continue;
-      const double share = norm2 / norm2_before;
-      coupled.each(execution, [&](std::size_t p) {
-        Approach& pair = all[p];
-        if (share < 1 && pair.direction != 0) {
-          const double J = std::max(-pair.impulse, share * pair.direction);
-          coupled.give(p, J), pair.impulse += J;
-        }
-        pair.direction = share < 1 ? share * pair.direction + pair.change : 0;
-      });
-    }
-  }
-  /// The energy that impulses J have added: the sum of J (v- + v+)/2.
-  static double work(const detail::CoupledPairs& coupled, const std::vector<Approach>& all) {
-    double sum = 0;
-    for (std::size_t p = 0; p < all.size(); ++p) sum += 0.5 * all[p].impulse * (all[p].before + coupled.approach(p));
-    return sum;
   }
 };
 
@@ -152,7 +103,7 @@ struct Penalty {
       for (unsigned i = 0; i < pair.count; ++i)
         sum[pair.nodes[i]] += pair.stiffness * moved * std::abs(pair.weights[i]) * nodes.inverse_mass(pair.nodes[i]);
     });
-    const double most = coupled.sweep(execution, true, [&](std::size_t p) {
+    coupled.each(execution, [&](std::size_t p) {
       ContactPair& pair = pairs[p];
       double here = 0;
       for (unsigned i = 0; i < pair.count; ++i) here = std::max(here, sum[pair.nodes[i]]);
@@ -163,13 +114,12 @@ struct Penalty {
         pair.impulse = pair.stiffness * depth * step.kick();
         coupled.give(p, pair.impulse);
       }
-      return here;
     });
     limit_what_comes_back(pairs, springs, coupled, execution);
     coupled.end(nodes, execution);
     coupled.each(execution, [&](std::size_t p) { pairs[p].book(nodes); });
     // Constant from step to step, for a changing step would cost balance.
-    return stiffness > 0 ? most : fraction / (step.stable_dt * step.stable_dt);
+    return stiffness > 0 ? *std::max_element(sum.begin(), sum.end()) : fraction / (step.stable_dt * step.stable_dt);
   }
 
  private:

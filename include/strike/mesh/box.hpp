@@ -21,7 +21,7 @@ struct BoxShape {
 };
 
 /// Hexahedra that fill a box. Nodes and cells are numbered along x first, then y, then z.
-/// Errors: an edge that is not positive, no cells, grading that is not positive.
+/// Errors: an edge that is not positive, no cells, grading that is not positive, 2^32 nodes or more.
 inline Mesh box(const BoxShape& shape) {
   const Eigen::Vector3d& size = shape.size;
   if (!(size(0) > 0 && size(1) > 0 && size(2) > 0) || !std::isfinite(size(0) + size(1) + size(2)))
@@ -32,6 +32,7 @@ inline Mesh box(const BoxShape& shape) {
       throw Error(detail::joined({"strike: a box has no cells along ", std::string_view("xyz").substr(axis, 1),
                                   "; give 1 or more in `.cells`."}));
   const auto [nx, ny, nz] = shape.cells;
+  detail::check_count((nx + 1.0) * (ny + 1.0) * (nz + 1.0));
   std::array<std::vector<double>, 3> position;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<Eigen::Index>(axis);

@@ -12,13 +12,14 @@ namespace strike {
 /// Quadrilaterals of a curved sheet: `cells` along s and t of the unit square, whose points lie at place(s, t)
 /// [length]. Nodes and cells are numbered along s first; the sheet faces the side of dx/ds cross dx/dt.
 ///   const Mesh dome = sheet({16, 16}, [](double s, double t) { return Eigen::Vector3d(s, t, std::sin(s)); });
-/// Errors: no cells.
+/// Errors: no cells, 2^32 nodes or more.
 template <class Place>
 Mesh sheet(std::array<Index, 2> cells, Place&& place) {
   const auto [n, m] = cells;
   if (n < 1 || m < 1)
     throw Error(detail::joined({"strike: a sheet of ", std::to_string(n), " x ", std::to_string(m),
                                 " cells is empty; give 1 or more along both sides."}));
+  detail::check_count((n + 1.0) * (m + 1.0));
   Mesh mesh;
   for (Index j = 0; j <= m; ++j)
     for (Index i = 0; i <= n; ++i) mesh.nodes.emplace_back(place(double(i) / n, double(j) / m));

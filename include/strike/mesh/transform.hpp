@@ -68,8 +68,7 @@ inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
 /// more.
 inline Index append(Mesh& mesh, const Mesh& other) {
   const std::size_t offset = mesh.nodes.size();
-  if (offset + other.nodes.size() > std::numeric_limits<Index>::max())
-    throw Error("strike: a mesh holds fewer than 2^32 nodes; keep these two apart.");
+  detail::check_count(static_cast<double>(offset + other.nodes.size()));
   const auto add = [offset](auto& cells, auto added) {  // a copy: `other` may be `mesh` itself
     for (auto& cell : added) {
       for (Index& node : cell) node += static_cast<Index>(offset);
@@ -186,9 +185,10 @@ inline Mesh remove_orphan_nodes(Mesh mesh) {
 }
 
 /// Hexahedra swept along z by the quadrilaterals of a plan (counter-clockwise seen from +z), one layer between each two
-/// levels [length], layer after layer. Error: fewer than two levels.
+/// levels [length], layer after layer. Errors: fewer than two levels; 2^32 nodes or more.
 inline Mesh extruded(const Mesh& plan, std::span<const double> levels) {
   if (levels.size() < 2) throw Error("strike: a plan is extruded between at least two levels; give two or more.");
+  detail::check_count(static_cast<double>(levels.size()) * static_cast<double>(plan.nodes.size()));
   Mesh mesh;
   for (const double z : levels)
     for (const Eigen::Vector3d& x : plan.nodes) mesh.nodes.emplace_back(x[0], x[1], x[2] + z);

@@ -168,16 +168,14 @@ std::uint64_t fingerprint_of(Objects&... objects) {
 
 /// Error: the motion of a run is not finite, so that no run could go on from it.
 template <class Object>
-void expect_finite(const Object& object, const std::string& path) {
+void expect_finite(const Object& object, std::string_view consequence) {
   if constexpr (requires { object.run.positions(); }) {
-    expect_finite(object.run, path);
+    expect_finite(object.run, consequence);
   } else if constexpr (requires { object.positions(), object.velocities(); }) {
     for (const auto& [what, vectors] : {std::pair("position", object.positions()), {"velocity", object.velocities()}})
       for (std::size_t n = 0; n < vectors.size(); ++n)
         if (!vectors[n].allFinite())
-          throw Error(
-              joined({"strike: the ", what, " of node ", std::to_string(n), " is not finite, so that the checkpoint '",
-                      path, "' is not written: go on from the one before."}));
+          throw Error(joined({"strike: the ", what, " of node ", std::to_string(n), " is not finite", consequence}));
   }
 }
 
@@ -202,7 +200,9 @@ constexpr bool remembers() {
 template <class... Objects>
 void write_checkpoint(const std::string& path, Objects&... objects) {
   if constexpr ((detail::remembers<Objects>() && ...)) {
-    (detail::expect_finite(objects, path), ...);
+    const std::string stays =
+        detail::joined({", so that the checkpoint '", path, "' is not written: go on from the one before."});
+    (detail::expect_finite(objects, stays), ...);
     detail::replace_file(path, [&](detail::OutputFile& file) {
       detail::CheckpointWriter archive(file);
       (detail::identify(archive, objects), ...);
@@ -213,13 +213,15 @@ void write_checkpoint(const std::string& path, Objects&... objects) {
 }
 
 /// Restores the states of the same objects, made anew by the same program. Errors, before anything is changed: no such
-/// file; a damaged file; a file of another scene.
+/// file; a damaged file; a file of another scene. Error, after it: a motion that is not finite.
 template <class... Objects>
 void read_checkpoint(const std::string& path, Objects&... objects) {
   if constexpr ((detail::remembers<Objects>() && ...)) {
     detail::CheckpointReader archive(path, detail::fingerprint_of(objects...));
     archive(objects...);
     archive.finish();
+    const std::string there = detail::joined({" in the checkpoint '", path, "': take an older one, or start anew."});
+    (detail::expect_finite(objects, there), ...);
   }
 }
 
