@@ -63,12 +63,14 @@ class FirstTouch {
         return turns * std::sqrt(area2 / half2) / 32;  // 8 ways of its corners turn a square by 1, and both may turn
       }
     }
-    // From a sphere around the face, and from a layer along it.
-    const double warp = std::sqrt(warp2);
-    const double above = std::abs(height) / std::sqrt(area2) - (faces_.target.count(f) == 3 ? 0 : warp) - deep;
-    const double clearance = std::max(from.norm() - std::sqrt(half2) - warp - deep, above);
+    // From a disc around the face, as thick as its warp.
+    const double warp = std::sqrt(warp2), up = std::abs(height) / std::sqrt(area2),
+                 above = up - (faces_.target.count(f) == 3 ? 0 : warp),
+                 along = std::sqrt(std::max(0.0, from.squaredNorm() - up * up)),
+                 beside = along - std::sqrt(half2) - warp;
+    const double clearance = std::sqrt(square(std::max(0.0, above)) + square(std::max(0.0, beside))) - deep;
     if (clearance > farthest_) return clearance;
-    const bool is_at = !(above > reach.tolerance);
+    const bool is_at = !(above - deep > reach.tolerance);
     if (reach.two_sided || height > 0 || is_at) {
       if (const Crossing next = in_step(f, X, reach); next.happens()) return meet(f, next, next.when), 0;
     }
@@ -88,6 +90,7 @@ class FirstTouch {
   static constexpr double never = std::numeric_limits<double>::infinity();
   static constexpr double in_line = 0.9;  // cosine of normals, from which on a face goes on from another
 
+  static double square(double a) { return a * a; }
   static double sine(double cosine) { return std::sqrt(std::max(0.0, 1 - cosine * cosine)); }
 
   struct Met {
