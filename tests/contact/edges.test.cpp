@@ -174,3 +174,48 @@ TEST_CASE("plates that meet edge on edge do so at their thickness, whatever the 
         fly(TwoWay{skin(mesh.quadrilaterals.begin(), middle), skin(middle, mesh.quadrilaterals.end())});
     }
 }
+
+TEST_CASE("bodies that begin crossed with no node inside are told by their edges") {
+  const Eigen::Matrix3d turned = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const auto edges = [&](const Mesh& one, const Mesh& other) {
+    Mesh mesh = one;
+    append(mesh, other);
+    const auto skin = [&](bool of_other) {
+      const auto some = [of_other](const auto& cells, std::size_t of_one) {
+        const auto middle = cells.begin() + static_cast<std::ptrdiff_t>(of_one);
+        return of_other ? std::decay_t<decltype(cells)>(middle, cells.end())
+                        : std::decay_t<decltype(cells)>(cells.begin(), middle);
+      };
+      return mesh.hexahedra.empty()
+                 ? Surface{quadrilateral_surface(some(mesh.quadrilaterals, one.quadrilaterals.size())), 0.1}
+                 : Surface{hexahedron_surface(some(mesh.hexahedra, one.hexahedra.size()))};
+    };
+    const auto count = [&](const auto& pairing) {
+      const std::vector<Eigen::Vector3d> still(mesh.nodes.size(), Eigen::Vector3d::Zero());
+      const std::string warning =
+          testing::Balls(mesh.nodes, still, std::vector<double>(still.size(), 1), Contact{pairing}).contact.warning();
+      CHECK((warning.empty() || warning.find("through faces at the start with neither end inside") != warning.npos));
+      return warning.empty() ? 0 : std::stoi(warning);
+    };
+    const int there = count(TwoWay{skin(false), skin(true)});
+    CHECK(count(TwoWay{skin(true), skin(false)}) == there);
+    CHECK(count(SelfContact{skin(false) + skin(true)}) == there);
+    for (auto& x : mesh.nodes) x = turned * x;
+    CHECK(count(SelfContact{skin(true) + skin(false)}) == there);
+    return there;
+  };
+  // A bar and another across it, through it, on it, and beside it.
+  const Mesh bar = box({.lower = {-2, -0.5, -0.5}, .size = {4, 1, 1}});
+  const auto across = [](double z) { return box({.lower = {-0.4, -2, z}, .size = {0.8, 4, 0.6}}); };
+  CHECK(edges(bar, across(-0.3)) == 4);
+  CHECK(edges(bar, across(0.2)) == 4);  // two of each
+  CHECK(edges(bar, across(0.5)) == 0);
+  CHECK(edges(bar, across(0.6)) == 0);
+  // A plate that stands across another, on it, and above it.
+  const Mesh plate = rectangle({.lower = {-1, -1, 0}, .size = {2, 2}});
+  const auto stands = [](double z) {
+    return sheet({1, 1}, [z](double s, double t) { return Eigen::Vector3d(s - 0.5, 0.1, z + 2 * t); });
+  };
+  CHECK(edges(plate, stands(-1)) == 2);
+  CHECK(edges(plate, stands(0.2)) == 0);
+}

@@ -12,9 +12,11 @@
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/follow_touch.hpp>
 #include <strike/contact/neighbourhood.hpp>
+#include <strike/contact/pierced.hpp>
 #include <strike/contact/rounding.hpp>
 #include <strike/contact/search.hpp>
 #include <strike/contact/target.hpp>
+#include <strike/contact/touch.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -71,11 +73,14 @@ class EdgeApproach {
   EdgeApproach() = default;
   EdgeApproach(Target first, Target second) : targets_{std::move(first), std::move(second)} {}
 
-  void begin(const ContactNodes& all) {
+  /// Tells of crests that pass through faces of the other surface where no node is inside.
+  void begin(const ContactNodes& all, InitialPenetration& inside) {
     size_ = targets_[1].mean_size(all.x);
     largest_depth_ = targets_[0].largest_half() + targets_[1].largest_half();
     if (self && largest_depth_ > 0) start_ = all.x;
     if (!start_.empty()) neighbourhood_.find(targets_[1], start_);
+    find_piercing(0, all, inside);
+    if (!self) find_piercing(1, all, inside);
   }
   /// Other surfaces, after cells have gone. A touch goes on where both of its edges remain.
   void change(Target first, Target second) {
@@ -129,6 +134,24 @@ class EdgeApproach {
   }
   static Ends ends_of(const std::array<Index, 2>& edge, std::span<const Eigen::Vector3d> x) {
     return {x[edge[0]], x[edge[1]]};
+  }
+
+  /// Crests of a surface that pass through faces of the other one.
+  void find_piercing(std::size_t s, const ContactNodes& all, InitialPenetration& inside) const {
+    const Target &own = targets_[s], &other = targets_[1 - s];
+    std::vector<bool> is_inside(all.size(), false);
+    for (const Overlap& overlap : inside.overlaps) is_inside[all.local(overlap.nodes[0])] = true;
+    std::vector<Edge> edges = crests(own, all.x);
+    std::erase_if(edges, [&](const Edge& edge) { return is_inside[edge.ends[0]] || is_inside[edge.ends[1]]; });
+    std::vector<std::array<Index, 2>> ends;
+    for (const Edge& edge : edges) ends.push_back(edge.ends);
+    const auto passes_by = [&](std::size_t e, Index f) {
+      const auto& [p, q] = edges[e].ends;
+      return self && (other.are_apart(edges[e].face, f) ||
+                      (!start_.empty() && (neighbourhood_.has(p, f) || neighbourhood_.has(q, f))));
+    };
+    for (const auto& piercing : piercing_edges(ends, other, all.x, size_, passes_by))
+      inside.add_piercing(all, piercing);
   }
 
   /// Finds crests and which are near, if they may have moved by the margin at the end of the step after this one.

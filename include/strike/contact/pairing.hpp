@@ -83,7 +83,7 @@ class SurfaceMeeting {
 
   void begin(const ContactNodes& all, InitialPenetration& inside) {
     for (auto& approach : approaches_) approach.begin(all, inside);
-    for (auto& edges : edges_) edges.begin(all);
+    for (auto& edges : edges_) edges.begin(all, inside);
   }
   template <class Execution>
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, const Execution& execution) {

@@ -87,7 +87,8 @@ inline double depth_of_rounding(const Eigen::Vector3d& x, double size) {
   return std::max(8 * std::numeric_limits<double>::epsilon() * x.norm(), 1e-10 * size);
 }
 
-/// The nodes that start inside: their number, the deepest of them, and how they overlap.
+/// The nodes that start inside: their number, the deepest of them, and how they overlap; and edges that pass through
+/// faces with neither end inside.
 struct InitialPenetration {
   std::vector<Overlap> overlaps{};
   CellsAround around{};  ///< known while a contact begins
@@ -95,6 +96,9 @@ struct InitialPenetration {
   Index deepest = 0;  ///< number of the deepest node in the scene
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   double depth = 0;  ///< [length]
+  std::size_t piercing = 0;
+  std::array<Index, 2> first_piercing{};                       ///< numbers of its ends in the scene
+  Eigen::Vector3d where_it_pierces = Eigen::Vector3d::Zero();  ///< the middle of that edge
 
   void add(Index number, const Eigen::Vector3d& x, double d) {
     ++count;
@@ -110,8 +114,24 @@ struct InitialPenetration {
         overlap.nodes[overlap.count] = all.number(pair.nodes[k]), overlap.weights[overlap.count++] = pair.weights[k];
     overlaps.push_back(overlap);
   }
-  /// One sentence for the user; empty if no node starts inside.
-  std::string warning() const {
+  /// The edge between two nodes of the contact passes through a face.
+  void add_piercing(const ContactNodes& all, const std::array<Index, 2>& ends) {
+    if (piercing++ > 0) return;
+    first_piercing = {all.number(ends[0]), all.number(ends[1])};
+    where_it_pierces = 0.5 * (all.x[ends[0]] + all.x[ends[1]]);
+  }
+  /// A sentence for the user on each; empty if nothing starts inside.
+  std::string warning() const { return joined({of_nodes(), count > 0 && piercing > 0 ? " " : "", of_edges()}); }
+
+ private:
+  std::string of_edges() const {
+    if (piercing == 0) return {};
+    return joined({std::to_string(piercing), piercing == 1 ? " edge passes" : " edges pass",
+                   " through faces at the start with neither end inside, the first, from node ",
+                   std::to_string(first_piercing[0]), " to node ", std::to_string(first_piercing[1]), ", at ",
+                   text(where_it_pierces), "; no contact keeps these bodies apart: move the meshes."});
+  }
+  std::string of_nodes() const {
     if (count == 0) return {};
     return joined(
         {std::to_string(count), count == 1 ? " node begins" : " nodes begin",
