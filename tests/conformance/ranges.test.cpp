@@ -166,13 +166,17 @@ TEST_CASE("conformance: wrong numbers of verifiers and fits are refused") {
   refuses(SweepOptions{.aspects = {1}, .steps = 2}, [](const SweepOptions& options) {
     return distortion_sweep(Hex8{}, elastic, unit_cube(), distortions::skew, options).least_ratio() > 0;
   });
-  refuses(ElementTolerances{}, [](const ElementTolerances&) { return true; });
-
-  refuses(calibrate::Unknown{"slope", 2}, [](const calibrate::Unknown&) { return true; });
-  refuses(calibrate::FitOptions{}, [](const calibrate::FitOptions& options) {
-    const auto residuals = [](const auto& p) { return std::vector{p[0] - 1.0, p[0] - 1.1, p[0] - 0.9}; };
-    return std::isfinite(calibrate::fit(residuals, {{"level", 0.8}}, options).intervals[0].upper);
+  refuses(ElementTolerances{}, [](const ElementTolerances& tolerances) {
+    strike::detail::check_ranges(tolerances);
+    return true;
   });
+
+  const auto fits = [](const calibrate::Unknown& unknown, const calibrate::FitOptions& options) {
+    const auto residuals = [](const auto& p) { return std::vector{p[0] - 1.0, p[0] - 1.1, p[0] - 0.9}; };
+    return std::isfinite(calibrate::fit(residuals, {unknown}, options).intervals[0].upper);
+  };
+  refuses(calibrate::Unknown{"level", 0.8}, [&](const calibrate::Unknown& unknown) { return fits(unknown, {}); });
+  refuses(calibrate::FitOptions{}, [&](const calibrate::FitOptions& options) { return fits({"level", 0.8}, options); });
   refuses(calibrate::UniaxialTest{}, [](const calibrate::UniaxialTest& test) {
     return std::isfinite(calibrate::uniaxial_stresses(elastic, std::array{1e-3, 2e-3}, test).back());
   });

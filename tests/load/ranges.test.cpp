@@ -49,16 +49,6 @@ TEST_CASE("histories are of numbers") {
   CHECK_NOTHROW(detail::check_ranges(Pressure{{}, [](double t) { return t; }}));
 }
 
-TEST_CASE("a mesh is moved by numbers, about axes and in planes") {
-  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
-  CHECK_THROWS_WITH(translated(mesh, {nan_number, 0, 0}),
-                    "strike: the displacement of translated is (nan, 0, 0); it must be finite.");
-  CHECK_THROWS_AS(rotated(mesh, {0, 0, 0}, 1), Error);
-  CHECK_THROWS_AS(rotated(mesh, {0, 0, 1}, nan_number), Error);
-  CHECK_THROWS_AS(mirrored(mesh, {0, 0, 0}), Error);
-  CHECK_THROWS_AS(scaled(mesh, {1, infinity, 1}), Error);
-}
-
 TEST_CASE("what writes to a node that is not there is refused, by any number") {
   Nodes<double> nodes({{0, 0, 0}, {1, 0, 0}}, {0, 1});
   const auto refuses = [](const auto& f) {

@@ -29,6 +29,7 @@ struct Segment {
 
   void ranges(const auto& number) const {
     number("duration", duration, range::positive);
+    number("steps", steps, range::count);
     number("velocity_gradient", velocity_gradient, range::point);
   }
 };
@@ -52,6 +53,7 @@ struct Ramp {
   void ranges(const auto& number) const {
     number("strain", strain, range::finite);
     number("rate", rate, range::positive);
+    number("steps", steps, range::count);
   }
 };
 
