@@ -31,15 +31,17 @@
 // the sentence. A run, or whatever takes the model, calls `check_ranges` when it begins; steps cost nothing.
 namespace strike {
 
-/// The values that a number may have. NaN is never one of them, and none is larger than `largest` unless it may be
-/// infinite.
+/// The values that a number may have. NaN is one of them only where it stands for a number that is not given, and none
+/// is larger than `largest` unless it may be infinite.
 struct Range {
   static constexpr double largest = 1e100;  ///< the product of three such numbers is still a double
 
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool without_low = true, without_high = true;  ///< the ends themselves are outside
+  bool may_be_nan = false;
 
   constexpr bool holds(double value) const {
+    if (value != value) return may_be_nan;
     return (without_low ? value > low : value >= low) && (without_high ? value < high : value <= high) &&
            !is_too_large(value);
   }
@@ -78,6 +80,9 @@ inline constexpr Range finite{}, positive{.low = 0}, not_negative{.low = 0, .wit
 inline constexpr Range share{.low = 0, .high = 1, .without_low = false, .without_high = false};  ///< 0 to 1
 inline constexpr VectorRange point = VectorRange::finite, direction = VectorRange::not_zero;
 
+/// A count from 1 on; negative numbers that became unsigned ones are larger.
+inline constexpr Range count{.low = 1, .high = 2147483647, .without_low = false, .without_high = false};
+
 constexpr Range above(double low) { return {.low = low}; }
 constexpr Range at_least(double low) { return {.low = low, .without_low = false}; }
 constexpr Range below(double high) { return {.high = high}; }
@@ -90,6 +95,11 @@ constexpr Range between(double low, double high) {
 constexpr Range or_infinite(Range range) {
   if (range.low == -infinity) range.without_low = false;
   if (range.high == infinity) range.without_high = false;
+  return range;
+}
+/// The same, or NaN: not given.
+constexpr Range or_nan(Range range) {
+  range.may_be_nan = true;
   return range;
 }
 

@@ -4,7 +4,7 @@
 
 #include <strike/calibrate/fit.hpp>
 
-#include "support/catch.hpp"
+#include "conformance/numbers.hpp"
 
 using namespace strike;
 using namespace strike::calibrate;
@@ -102,4 +102,17 @@ TEST_CASE("fit: what cannot be fitted is one sentence") {
                     ContainsSubstring("2 residuals do not determine 2 parameters"));
   CHECK_THROWS_WITH(fit(Decay{}, {{"a", 1}, {"b", -2}}),
                     ContainsSubstring("the start of Unknown 'b' is -2; it must be positive"));
+}
+
+TEST_CASE("conformance: wrong numbers of fits are refused") {
+  testing::WrongNumbers tried;
+  const auto fits = [](const Unknown& unknown, const FitOptions& options) {
+    return std::isfinite(fit(Decay{0.02, 1}, {unknown, {"time constant", 1}}, options).intervals[0].upper);
+  };
+  testing::refuses_wrong_numbers(Unknown{"amplitude", 1}, tried,
+                                 [&](const Unknown& unknown) { return fits(unknown, {}); });
+  testing::refuses_wrong_numbers(FitOptions{}, tried, [&](const FitOptions& options) {
+    return fits({"amplitude", 1}, options);
+  });
+  tried.print("fits");
 }

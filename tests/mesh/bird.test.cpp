@@ -52,9 +52,3 @@ TEST_CASE("bird: every mesh is sound, has exactly its mass, and nearly the size 
   CHECK(ball.hexahedra.size() == 8 * 4 * 8);
   CHECK(surface(ball).size() == 6 * 16 + 0);
 }
-
-TEST_CASE("bird: what is no bird is refused") {
-  CHECK_THROWS(bird({.mass = 0, .density = 1}));
-  CHECK_THROWS(bird({.mass = 1, .density = 1, .cells = 0}));
-  CHECK_THROWS(bird({.mass = 1, .density = 1, .form = BirdForm::hemispherical_ends, .aspect = 1}));
-}

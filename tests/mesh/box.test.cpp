@@ -34,17 +34,3 @@ TEST_CASE("box grades cells geometrically") {
   CHECK(mesh.nodes[2][0] == Approx(3).epsilon(1e-14));
   CHECK(mesh.nodes[3][0] == 7);
 }
-
-TEST_CASE("box refuses what has no volume") {
-  CHECK_THROWS_WITH(box({.size = {1, 0, 1}}),
-                    "strike: a box of size (1, 0, 1) has no volume; give three positive edges in `.size`.");
-  CHECK_THROWS_WITH(box({.size = {1, 1, 1}, .cells = {1, 0, 1}}),
-                    "strike: a box has no cells along y; give 1 or more in `.cells`.");
-  CHECK_THROWS_WITH(box({.size = {1, 1, 1}, .cells = {65535, 65535, 1}}),  // 65536 x 65536 x 2 nodes
-                    "strike: there are fewer than 2^32 nodes in a mesh, and 8.58993e+09 are asked for; take larger "
-                    "cells, or keep parts of it apart.");
-  CHECK_THROWS_WITH(box({.size = {1, 1, 1}, .cells = {4294967295, 4294967295, 4294967295}}),
-                    Catch::Matchers::ContainsSubstring("fewer than 2^32 nodes"));
-  CHECK_THROWS_WITH(box({.size = {1, 1, 1}, .grading = {1, 1, -2}}),
-                    "strike: grading -2 is no ratio of two cell lengths; give a positive number, last over first.");
-}

@@ -42,12 +42,3 @@ TEST_CASE("a canopy of equal sections is half a cylinder of chords 2 R sin(pi/(2
   for (const auto& cell : mesh.quadrilaterals) area += quadrilateral_area(mesh.nodes, cell);
   CHECK(area == Approx(5 * 8 * 2 * 3 * std::sin(std::numbers::pi / 16)).epsilon(1e-14));
 }
-
-TEST_CASE("a canopy without a section is refused") {
-  CanopyShape flat = bubble;
-  flat.height.front = 0;
-  CHECK_THROWS_WITH(canopy(flat),
-                    "strike: a canopy of length 80 with its top at 50 has a distance, height or width of 0; put the "
-                    "top between front "
-                    "and back, and give positive heights and widths.");
-}

@@ -77,10 +77,3 @@ TEST_CASE("cylinder: layers are graded from the foot") {
   CHECK(bar.nodes[2 * stride][2] == Approx(3).epsilon(1e-14));
   CHECK(bar.nodes[3 * stride][2] == 7);
 }
-
-TEST_CASE("cylinder refuses what has no volume") {
-  CHECK_THROWS_WITH(cylinder({.radius = 0, .length = 1}),
-                    "strike: a cylinder of radius 0 and length 1 has no volume; give positive lengths.");
-  CHECK_THROWS_WITH(cylinder({.radius = 1, .length = 1, .cells = 0}),
-                    "strike: a cylinder has no cells or no layers; give 1 or more in `.cells` and `.layers`.");
-}

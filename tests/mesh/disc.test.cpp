@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <strike/mesh/check.hpp>
@@ -47,11 +46,4 @@ TEST_CASE("disc: it faces +z, its rim lies on the circle, and a symmetry plane i
   }
   CHECK(rim == 4 * 2 * 4);
   CHECK(plate.nodes.size() == plate.quadrilaterals.size() + rim / 2 + 1);  // Euler
-}
-
-TEST_CASE("disc refuses what has no area") {
-  CHECK_THROWS_WITH(disc({.radius = -1}), "strike: a disc of radius -1 has no area; give a positive `.radius`.");
-  CHECK_THROWS_WITH(disc({.radius = std::numeric_limits<double>::infinity()}),
-                    "strike: a disc of radius inf has no area; give a positive `.radius`.");
-  CHECK_THROWS_WITH(disc({.radius = 1, .cells = 0}), "strike: a disc has no cells; give 1 or more in `.cells`.");
 }

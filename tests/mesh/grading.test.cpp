@@ -16,9 +16,3 @@ TEST_CASE("graded: lengths form a geometric series whose last over first is the 
       CHECK((x[i + 1] - x[i]) / (x[i] - x[i - 1]) == Approx(std::pow(grading, 1.0 / 19)).epsilon(1e-12));
   }
 }
-
-TEST_CASE("graded: a line without cells or length is an error") {
-  CHECK_THROWS_WITH(graded(0, 1, 0), "strike: a graded line has no cells; give 1 or more.");
-  CHECK_THROWS_WITH(graded(2, 1, 3),
-                    "strike: a graded line from 2 to 1 has no length; give an upper end above the lower one.");
-}

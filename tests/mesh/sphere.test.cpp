@@ -89,8 +89,3 @@ TEST_CASE("sphere: an octant is the upper half of a quarter") {
   CHECK_NOTHROW(check(ball));
   for (const auto& x : ball.nodes) CHECK(x.minCoeff() >= 0);
 }
-
-TEST_CASE("sphere refuses what has no volume") {
-  CHECK_THROWS_WITH(sphere({.radius = 0}), "strike: a sphere of radius 0 has no volume; give a positive `.radius`.");
-  CHECK_THROWS_WITH(sphere({.radius = 1, .cells = 0}), "strike: a sphere has no cells; give 1 or more in `.cells`.");
-}

@@ -11,8 +11,8 @@
 #include <strike/verify/patch_test.hpp>
 #include <strike/verify/workbench.hpp>
 
+#include "conformance/numbers.hpp"
 #include "output/scratch.hpp"
-#include "support/catch.hpp"
 
 using namespace strike;
 using namespace strike::verify;
@@ -116,6 +116,14 @@ TEST_CASE("distortions end where the shape does: a taper at a point, a dent at a
   CHECK(limit(distortions::dent).amount == Approx(1. / 3).margin(2e-4));
   CHECK(limit(distortions::dent).reason == Soundness::inverted);
   CHECK(limit(distortions::skew).reason == Soundness::sound);
+}
+
+TEST_CASE("conformance: wrong numbers of sweeps are refused") {
+  testing::WrongNumbers tried;
+  testing::refuses_wrong_numbers(SweepOptions{.aspects = {1}, .steps = 2}, tried, [](const SweepOptions& options) {
+    return distortion_sweep(Faulty{}, metal, unit_cube(), distortions::skew, options).least_ratio() > 0;
+  });
+  tried.print("sweeps");
 }
 
 TEST_CASE("every fault of an element is found by the study that looks for it, and by no sound element") {

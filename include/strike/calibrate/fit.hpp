@@ -44,6 +44,7 @@ struct FitOptions {
 
   void ranges(const auto& number) const {
     number("tolerance", tolerance, range::positive);
+    number("evaluations", evaluations, range::count);
     number("confidence", confidence, Range{.low = 0, .high = 1});
   }
 };

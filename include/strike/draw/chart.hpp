@@ -13,6 +13,7 @@
 #include <strike/draw/svg.hpp>
 #include <strike/error.hpp>
 #include <strike/output/file.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -25,6 +26,13 @@ struct ChartAxis {
   Scale scale = Scale::linear;
   double lower = std::numeric_limits<double>::quiet_NaN();  ///< first value; NaN: a round one below the data
   double upper = std::numeric_limits<double>::quiet_NaN();  ///< last value; NaN: a round one above the data
+
+  void ranges(const auto& number) const {
+    const Range of_scale = scale == Scale::logarithmic ? range::positive : range::finite;
+    number("lower", lower, range::or_nan(of_scale));
+    number("upper", upper, range::or_nan(of_scale));
+    if (!std::isnan(lower)) number("upper", upper, range::or_nan(range::above(lower)));
+  }
 };
 
 enum class Line { none, solid, dashed, dotted };
@@ -37,6 +45,11 @@ struct Style {
   Marker marker = Marker::none;
   int colour = next;  ///< place in the palette of Okabe and Ito, 0 ... 6
   double width = 2;   ///< [px]
+
+  void ranges(const auto& number) const {
+    number("colour", colour, range::between(-1, 6));
+    number("width", width, range::not_negative);
+  }
 };
 
 /// Options of a chart.
@@ -44,16 +57,25 @@ struct ChartOptions {
   std::string title = {}, caption = {};
   ChartAxis x = {}, y = {};
   double width = 760, height = 480;  ///< [px], without the caption
+
+  void ranges(const auto& number) const {
+    number(x), number(y);
+    number("width", width, range::at_least(200));
+    number("height", height, range::at_least(200));
+  }
 };
 
 /// Curves and points over two axes, as SVG: `chart.curve("length", t, L); chart.points("X3D", {80}, {21.47});`
 /// Colours are those of Okabe and Ito (2008, "Color Universal Design"), distinct to colour-blind eyes.
 class Chart {
  public:
-  explicit Chart(ChartOptions options) : options_(std::move(options)) {}
+  /// Error: a number out of its range.
+  explicit Chart(ChartOptions options) : options_(std::move(options)) { detail::check_ranges(options_); }
 
-  /// A line through the points. Errors: x and y of different length; a value that a logarithmic axis cannot show.
+  /// A line through the points; NaN leaves a gap. Errors: x and y of different length; a value that a logarithmic axis
+  /// cannot show; a style out of its range.
   [[gnu::cold]] void curve(std::string name, std::span<const double> x, std::span<const double> y, Style style = {}) {
+    detail::check_ranges(style);
     if (x.size() != y.size())
       throw Error(detail::joined({"strike: the curve '", name, "' has ", std::to_string(x.size()), " x and ",
                                   std::to_string(y.size()), " y: give as many of both."}));
@@ -79,7 +101,11 @@ class Chart {
   }
 
   /// A thin level line at a value that is known from elsewhere.
-  void reference(double y, std::string label) { references_.push_back({y, std::move(label)}); }
+  void reference(double y, std::string label) {
+    detail::RangeCheck("reference", "")("y", y,
+                                        options_.y.scale == Scale::logarithmic ? range::positive : range::finite);
+    references_.push_back({y, std::move(label)});
+  }
 
   /// Writes the SVG file. Errors: nothing to draw; a file that cannot be written.
   void write(const std::string& path) const { detail::replace_file(path, svg()); }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <strike/cxx20.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -13,6 +14,12 @@ namespace strike {
 /// distances look equal (Ottosson 2020, "A perceptual color space for image processing").
 struct Colour {
   double lightness, chroma, hue;
+
+  void ranges(const auto& number) const {
+    number("lightness", lightness, range::share);
+    number("chroma", chroma, range::not_negative);
+    number("hue", hue, range::finite);
+  }
 
   /// Red, green, blue in 0 ... 1 (sRGB, IEC 61966-2-1), unclamped: outside 0 ... 1 no screen shows the colour.
   std::array<double, 3> srgb() const {
@@ -48,6 +55,11 @@ struct Colour {
 struct ColourMap {
   Colour low, high;
   double middle_chroma;  ///< chroma runs through it on a parabola
+
+  void ranges(const auto& number) const {
+    number(low), number(high);
+    number("middle_chroma", middle_chroma, range::not_negative);
+  }
 
   /// The colour at t in 0 ... 1 (clamped); grey if t is not a number.
   Colour operator()(double t) const {

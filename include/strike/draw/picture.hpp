@@ -15,6 +15,7 @@
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/output/file.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -36,6 +37,16 @@ struct PictureOptions {
   ColourMap colours = colour_maps::ember;
   std::string length_unit = {};  ///< if given, a bar of a round length is drawn to scale
   double size = 520;             ///< longer edge of the room for the model [px]
+
+  void ranges(const auto& number) const {
+    number("from", from, range::direction);
+    number("up", up, range::direction);
+    number("low", low, range::or_nan(range::finite));
+    number("high", high, range::or_nan(range::finite));
+    if (!std::isnan(low)) number("high", high, range::or_nan(range::above(low)));
+    number(colours);
+    number("size", size, range::positive);
+  }
 };
 
 /// A picture of deformed surfaces coloured by a value per cell, as SVG:
@@ -45,8 +56,7 @@ struct PictureOptions {
 class Picture {
  public:
   [[gnu::cold]] explicit Picture(PictureOptions options) : options_(std::move(options)) {
-    if (!(options_.from.norm() > 0) || !(options_.up.norm() > 0))
-      throw Error("strike: a Picture needs a direction to the eye and one upward: give vectors that are not zero.");
+    detail::check_ranges(options_);
     toward_ = detail::direction(options_.from);
     right_ = cross(options_.up, toward_);
     if (right_.norm() < 1e-6 * options_.up.norm()) {  // the eye is right above
@@ -76,8 +86,11 @@ class Picture {
   /// Adds nodes whose elements are all deleted, as small circles.
   void add_particles(std::span<const Eigen::Vector3d> positions) { add_particles(positions, {1, 1, 1}, 0); }
 
-  /// Marks a place with a dot, on top of everything, and a label beside it.
-  void mark(const Eigen::Vector3d& place, std::string label = {}) { marks_.push_back({place, std::move(label)}); }
+  /// Marks a place with a dot, on top of everything, and a label beside it. Error: a place that is not finite.
+  void mark(const Eigen::Vector3d& place, std::string label = {}) {
+    detail::RangeCheck("mark", "")("place", place, range::point);
+    marks_.push_back({place, std::move(label)});
+  }
 
   /// Writes the SVG file. Errors: nothing to draw; a file that cannot be written.
   void write(const std::string& path) const { detail::replace_file(path, svg()); }

@@ -21,6 +21,7 @@ inline double kinetic_energy_at_start(double kinetic, double kick, double force_
 /// Energy that rounding may add until a step, a share `tolerance` of that of nodes that move by the spacing of the
 /// numbers in each: `moved` is the sum of m spacing^2/2 [energy time^2].
 inline double energy_of_rounding(double tolerance, double moved, std::size_t step, double dt) {
+  if (std::isinf(tolerance)) return tolerance;
   const double moves = static_cast<double>(step) / (dt * dt);
   return tolerance * moved * moves;
 }
@@ -34,7 +35,7 @@ inline bool grows_beyond_stability(const Energy& energy, double rounding) {
 
 /// The balance is within the tolerance, a share of the largest energy, or off by rounding alone.
 inline bool is_balanced(const Energy& energy, double tolerance, double rounding) {
-  return std::abs(energy.imbalance()) <= std::max(tolerance * energy.scale(), rounding);
+  return std::abs(energy.imbalance()) <= std::max(rounding, tolerance * energy.scale());  // infinite times 0
 }
 
 [[gnu::cold]] inline std::string beyond_stability(const Energy& energy) {

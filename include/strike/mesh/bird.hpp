@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <strike/error.hpp>
+#include <strike/mesh/count.hpp>
 #include <strike/mesh/cylinder.hpp>
 #include <strike/mesh/disc.hpp>
 #include <strike/mesh/grading.hpp>
@@ -11,6 +12,8 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/sphere.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/range.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 
@@ -26,6 +29,15 @@ struct BirdShape {
   Index cells = 3;                  ///< hexahedra along each edge of a block
   Index layers = 16;                ///< along the straight part; an ellipsoid has none
   Sector sector = Sector::quarter;  ///< quarter, half or full
+
+  void ranges(const auto& number) const {
+    number("mass", mass, range::positive);
+    number("density", density, range::positive);
+    number("aspect", aspect, form == BirdForm::hemispherical_ends ? range::above(1) : range::positive,
+           "a body with hemispherical ends is longer than wide, others have any shape");
+    number("cells", cells, range::count);
+    number("layers", layers, range::count);
+  }
 };
 
 /// Size of the smooth body of a bird [length].
@@ -33,11 +45,15 @@ struct BirdSize {
   double diameter, length;
 };
 inline BirdSize size_of(const BirdShape& shape) {
+  detail::check_ranges(shape);
   const double a = shape.aspect, V = shape.mass / shape.density;
   const double per_cube = shape.form == BirdForm::cylinder    ? a / 4
                           : shape.form == BirdForm::ellipsoid ? a / 6
                                                               : a / 4 - 1.0 / 12;  // V/(pi D^3)
   const double D = std::cbrt(V / (std::numbers::pi * per_cube));
+  if (!(D > 0) || !std::isfinite(D))
+    throw Error(detail::joined({"strike: a bird of mass ", detail::text(shape.mass), " and density ",
+                                detail::text(shape.density), " has no size that is a number; correct them."}));
   return {D, a * D};
 }
 
@@ -47,13 +63,9 @@ inline BirdSize size_of(const BirdShape& shape) {
 /// than wide.
 inline Mesh bird(const BirdShape& shape) {
   const auto [D, L] = size_of(shape);
-  if (!(shape.mass > 0) || !(shape.density > 0) || !(shape.aspect > 0) || !std::isfinite(D))
-    throw Error("strike: a bird needs a positive mass, density and aspect; correct them.");
-  if (shape.cells < 1 || shape.layers < 1)
-    throw Error("strike: a bird has no cells or no layers; give 1 or more in `.cells` and `.layers`.");
-  if (shape.form == BirdForm::hemispherical_ends && !(shape.aspect > 1))
-    throw Error(
-        "strike: a bird with hemispherical ends is longer than wide; give an `.aspect` above 1, or take an ellipsoid.");
+  detail::check_count(
+      "cells and layers of a bird",
+      detail::ball_nodes(shape.cells) + detail::disc_nodes(shape.cells, Sector::full) * (shape.layers + 1.0));
   Mesh mesh;
   if (shape.form == BirdForm::cylinder) {
     mesh = cylinder(

@@ -1,14 +1,11 @@
 #pragma once
 #include <array>
-#include <cmath>
-#include <string_view>
 #include <vector>
 
-#include <strike/error.hpp>
-#include <strike/mesh/describe.hpp>
+#include <strike/mesh/count.hpp>
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/text.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -18,21 +15,21 @@ struct BoxShape {
   Eigen::Vector3d size;                             ///< edges [length]
   std::array<Index, 3> cells{1, 1, 1};              ///< hexahedra along x, y, z
   std::array<double, 3> grading{1, 1, 1};           ///< length of the last cell over the first along x, y, z
+
+  void ranges(const auto& number) const {
+    number("lower", lower, range::point);
+    number("size", size, range::positive);
+    number("cells", cells, range::count);
+    number("grading", grading, range::positive);
+  }
 };
 
 /// Hexahedra that fill a box. Nodes and cells are numbered along x first, then y, then z.
-/// Errors: an edge that is not positive, no cells, grading that is not positive, 2^32 nodes or more.
+/// Errors: a number out of its range; 2^32 nodes or more.
 inline Mesh box(const BoxShape& shape) {
-  const Eigen::Vector3d& size = shape.size;
-  if (!(size(0) > 0 && size(1) > 0 && size(2) > 0) || !std::isfinite(size(0) + size(1) + size(2)))
-    throw Error(detail::joined(
-        {"strike: a box of size ", detail::text(shape.size), " has no volume; give three positive edges in `.size`."}));
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (shape.cells[axis] < 1)
-      throw Error(detail::joined({"strike: a box has no cells along ", std::string_view("xyz").substr(axis, 1),
-                                  "; give 1 or more in `.cells`."}));
+  detail::check_ranges(shape);
   const auto [nx, ny, nz] = shape.cells;
-  detail::check_count((nx + 1.0) * (ny + 1.0) * (nz + 1.0));
+  detail::check_count("cells of a box", (nx + 1.0) * (ny + 1.0) * (nz + 1.0));
   std::array<std::vector<double>, 3> position;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<Eigen::Index>(axis);

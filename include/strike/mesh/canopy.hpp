@@ -1,13 +1,11 @@
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/sheet.hpp>
-#include <strike/text.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -24,6 +22,18 @@ struct CanopyShape {
   Profile half_width;                ///< of the sill
   std::array<Index, 2> cells{1, 1};  ///< quadrilaterals along x and from sill to sill
 
+  void ranges(const auto& number) const {
+    number("length", length, range::positive);
+    number("top", top, Range{.low = 0, .high = length});
+    number("height.front", height.front, range::positive);
+    number("height.top", height.top, range::positive);
+    number("height.back", height.back, range::positive);
+    number("half_width.front", half_width.front, range::positive);
+    number("half_width.top", half_width.top, range::positive);
+    number("half_width.back", half_width.back, range::positive);
+    number("cells", cells, range::count);
+  }
+
   double height_at(double x) const { return at(height, x); }
   double half_width_at(double x) const { return at(half_width, x); }
 
@@ -37,12 +47,7 @@ struct CanopyShape {
 /// Quadrilaterals on a canopy, facing outward, at equal steps in x and in the angle of the ellipses.
 /// Errors: a length, height or width that is not positive, a top that is not between front and back, no cells.
 inline Mesh canopy(const CanopyShape& shape) {
-  double least = std::min(shape.top, shape.length - shape.top);
-  for (const auto& [front, top, back] : {shape.height, shape.half_width}) least = std::min({least, front, top, back});
-  if (!(least > 0) || !std::isfinite(shape.length))
-    throw Error(detail::joined({"strike: a canopy of length ", detail::text(shape.length), " with its top at ",
-                                detail::text(shape.top), " has a distance, height or width of ", detail::text(least),
-                                "; put the top between front and back, and give positive heights and widths."}));
+  detail::check_ranges(shape);
   return sheet(shape.cells, [&](double s, double t) {
     const double x = s * shape.length, angle = (t - 0.5) * std::numbers::pi;
     return Eigen::Vector3d(x, shape.half_width_at(x) * std::sin(angle), shape.height_at(x) * std::cos(angle));

@@ -1,13 +1,10 @@
 #pragma once
-#include <cmath>
-
-#include <strike/error.hpp>
-#include <strike/mesh/describe.hpp>
+#include <strike/mesh/count.hpp>
 #include <strike/mesh/disc.hpp>
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/transform.hpp>
-#include <strike/text.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -19,18 +16,23 @@ struct CylinderShape {
   Index layers = 50;                ///< hexahedra along z
   Sector sector = Sector::quarter;  ///< quarter, half or full
   double grading = 1;               ///< length of the last layer (z = length) over the first (z = 0)
+
+  void ranges(const auto& number) const {
+    number("radius", radius, range::positive);
+    number("length", length, range::positive);
+    number("cells", cells, range::count);
+    number("layers", layers, range::count);
+    number("grading", grading, range::positive);
+  }
 };
 
 /// Hexahedra of a round bar in the butterfly pattern ("O-grid"): 3 cells^2 per quarter and layer. The nodes of the
 /// mantle lie on the circle at equal angles, those of the symmetry planes exactly in them. Layer follows layer from the
 /// foot. `cylinder({.radius = 3.2, .length = 32.4})` is the mesh of 1350 hexahedra of the Taylor bar of X3D. Volume per
-/// quarter: cells R^2 sin(pi / (4 cells)) L. Errors: radius, length, cells, layers or grading not positive.
+/// quarter: cells R^2 sin(pi / (4 cells)) L. Errors: a number out of its range; 2^32 nodes or more.
 inline Mesh cylinder(const CylinderShape& shape) {
-  if (!(shape.radius > 0) || !(shape.length > 0) || !std::isfinite(shape.radius * shape.length))
-    throw Error(detail::joined({"strike: a cylinder of radius ", detail::text(shape.radius), " and length ",
-                                detail::text(shape.length), " has no volume; give positive lengths."}));
-  if (shape.cells < 1 || shape.layers < 1)
-    throw Error("strike: a cylinder has no cells or no layers; give 1 or more in `.cells` and `.layers`.");
+  detail::check_ranges(shape);
+  detail::check_count("cells of a cylinder", detail::disc_nodes(shape.cells, shape.sector) * (shape.layers + 1.0));
   const Mesh plan = scaled(detail::unit_disc(shape.cells, shape.sector), {shape.radius, shape.radius, 1});
   return extruded(plan, graded(0, shape.length, shape.layers, shape.grading));
 }

@@ -4,11 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include <strike/error.hpp>
-#include <strike/mesh/describe.hpp>
+#include <strike/mesh/count.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/transform.hpp>
-#include <strike/text.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -24,6 +23,11 @@ struct DiscShape {
   double radius;                 ///< [length]
   Index cells = 3;               ///< quadrilaterals along each edge of a block
   Sector sector = Sector::full;  ///< quarter, half or full
+
+  void ranges(const auto& number) const {
+    number("radius", radius, range::positive);
+    number("cells", cells, range::count);
+  }
 };
 
 namespace detail {
@@ -68,6 +72,11 @@ inline Mesh quarter_disc(Index n) {
   return disc;
 }
 
+/// Nodes of the quarters of a disc, before they are joined.
+inline double disc_nodes(double cells, Sector sector) {
+  const double quarters = sector == Sector::quarter ? 1 : sector == Sector::half ? 2 : 4;
+  return quarters * ((cells + 1) * (cells + 1) + cells * (2 * cells + 1));
+}
 /// The disc of unit radius, or its half or quarter: the quarter and its exact turns by right angles, joined.
 inline Mesh unit_disc(Index cells, Sector sector) {
   Mesh quarter = quarter_disc(cells), whole = quarter;
@@ -85,12 +94,10 @@ inline Mesh unit_disc(Index cells, Sector sector) {
 
 /// Quadrilaterals of a disc in the butterfly pattern ("O-grid"), facing +z: 3 cells^2 per quarter. The nodes of the rim
 /// lie on the circle at equal angles, those of symmetry planes exactly in them. Area per quarter: cells R^2 sin(pi / (4
-/// cells)). Errors: radius or cells not positive.
+/// cells)). Errors: a number out of its range; 2^32 nodes or more.
 inline Mesh disc(const DiscShape& shape) {
-  if (!(shape.radius > 0) || !std::isfinite(shape.radius))
-    throw Error(detail::joined(
-        {"strike: a disc of radius ", detail::text(shape.radius), " has no area; give a positive `.radius`."}));
-  if (shape.cells < 1) throw Error("strike: a disc has no cells; give 1 or more in `.cells`.");
+  detail::check_ranges(shape);
+  detail::check_count("cells of a disc", detail::disc_nodes(shape.cells, shape.sector));
   return scaled(detail::unit_disc(shape.cells, shape.sector), {shape.radius, shape.radius, 1});
 }
 

@@ -2,10 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include <strike/error.hpp>
-#include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
-#include <strike/text.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -13,13 +11,9 @@ namespace strike {
 /// is the length of the last cell over that of the first. The ends are exact. Errors: no cell, upper <= lower, grading
 /// <= 0.
 inline std::vector<double> graded(double lower, double upper, Index cells, double grading = 1) {
-  if (cells < 1) throw Error("strike: a graded line has no cells; give 1 or more.");
-  if (!(upper > lower))
-    throw Error(detail::joined({"strike: a graded line from ", detail::text(lower), " to ", detail::text(upper),
-                                " has no length; give an upper end above the lower one."}));
-  if (!(grading > 0) || !std::isfinite(grading))
-    throw Error(detail::joined({"strike: grading ", detail::text(grading),
-                                " is no ratio of two cell lengths; give a positive number, last over first."}));
+  const detail::RangeCheck check("graded", "");
+  check("lower", lower, range::finite), check("upper", upper, range::above(lower));
+  check("cells", cells, range::count), check("grading", grading, range::positive);
   // Lengths 1, q, q^2, ... with q^(cells - 1) = grading.
   const double q = cells > 1 ? std::pow(grading, 1.0 / (cells - 1)) : 1;
   std::vector<double> distance{0};

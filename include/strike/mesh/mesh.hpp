@@ -2,14 +2,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/cxx20.hpp>
-#include <strike/error.hpp>
-#include <strike/text.hpp>
 
 namespace strike {
 
@@ -29,16 +26,5 @@ struct Mesh {
   Cells<4> tetrahedra = {};
   Cells<4> quadrilaterals = {};
 };
-
-namespace detail {
-
-/// Error: more nodes than an Index counts.
-inline void check_count(double nodes) {
-  if (nodes > static_cast<double>(std::numeric_limits<Index>::max()))
-    throw Error(joined({"strike: there are fewer than 2^32 nodes in a mesh, and ", text(nodes),
-                        " are asked for; take larger cells, or keep parts of it apart."}));
-}
-
-}  // namespace detail
 
 }  // namespace strike

@@ -5,11 +5,14 @@
 #include <concepts>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 
@@ -94,6 +97,7 @@ Cells<N> cells_of(const Cells<N>& cells, std::span<const Index> numbers) {
 /// Number of the node nearest to a place, the lowest of several. Error: no nodes.
 inline Index nearest_node(std::span<const Eigen::Vector3d> nodes, const Eigen::Vector3d& place) {
   using namespace detail;
+  RangeCheck("nearest_node", "")("place", place, range::point);
   if (nodes.empty()) throw Error("strike: a mesh without nodes has no nearest node; build or read the mesh first.");
   Index nearest = 0;
   for (Index i = 1; i < nodes.size(); ++i)
@@ -103,6 +107,9 @@ inline Index nearest_node(std::span<const Eigen::Vector3d> nodes, const Eigen::V
 
 /// Predicate: in the plane normal . x = offset [length], within `tolerance` times the extent of the mesh.
 inline auto on_plane(const Eigen::Vector3d& normal, double offset, double tolerance = 1e-9) {
+  const detail::RangeCheck check("on_plane", "");
+  check("normal", normal, range::direction), check("offset", offset, range::finite);
+  check("tolerance", tolerance, range::not_negative);
   return [n = detail::direction(normal), offset, tolerance](const Eigen::Vector3d& x, double size) {
     return std::abs(n.dot(x) - offset) <= tolerance * size;
   };
@@ -118,6 +125,9 @@ inline auto on_plane(Axis axis, double offset, double tolerance = 1e-9) {
 /// extent.
 inline auto on_cylinder(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
                         double tolerance = 1e-9) {
+  const detail::RangeCheck check("on_cylinder", "");
+  check("centre", centre, range::point), check("axis", axis, range::direction);
+  check("radius", radius, range::not_negative), check("tolerance", tolerance, range::not_negative);
   return [=, a = detail::direction(axis)](const Eigen::Vector3d& x, double size) {
     using namespace detail;
     const Eigen::Vector3d r = x - centre;
@@ -125,8 +135,15 @@ inline auto on_cylinder(const Eigen::Vector3d& centre, const Eigen::Vector3d& ax
   };
 }
 
-/// Predicate: in the box between two corners, its faces included within `tolerance` times the extent.
+/// Predicate: in the box between two corners, which may be infinitely far, its faces included within `tolerance` times
+/// the extent.
 inline auto in_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, double tolerance = 1e-9) {
+  const detail::RangeCheck check("in_box", "");
+  for (const int c : {0, 1, 2}) {
+    check("lower", lower(c), Range{.without_low = false});
+    check("upper", upper(c), range::or_infinite(range::at_least(lower(c))), "`lower` is the corner of the least ones");
+  }
+  check("tolerance", tolerance, range::not_negative);
   return [=](const Eigen::Vector3d& x, double size) {
     const auto inside = [&](int c) { return std::min(x(c) - lower(c), upper(c) - x(c)) >= -tolerance * size; };
     return inside(0) && inside(1) && inside(2);
@@ -135,6 +152,9 @@ inline auto in_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, d
 
 /// Predicate: in the ball, its surface included within `tolerance` times the extent.
 inline auto in_sphere(const Eigen::Vector3d& centre, double radius, double tolerance = 1e-9) {
+  const detail::RangeCheck check("in_sphere", "");
+  check("centre", centre, range::point), check("radius", radius, range::not_negative);
+  check("tolerance", tolerance, range::not_negative);
   return [=](const Eigen::Vector3d& x, double size) {
     using namespace detail;
     return (x - centre).norm() <= radius + tolerance * size;

@@ -5,13 +5,12 @@
 #include <numbers>
 #include <utility>
 
-#include <strike/error.hpp>
-#include <strike/mesh/describe.hpp>
+#include <strike/mesh/count.hpp>
 #include <strike/mesh/disc.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
-#include <strike/text.hpp>
 
 namespace strike {
 
@@ -20,10 +19,17 @@ struct SphereShape {
   double radius;                 ///< [length]
   Index cells = 3;               ///< hexahedra along each edge of a block
   Sector sector = Sector::full;  ///< quarter, half or full, cut by the planes x = 0 and y = 0
+
+  void ranges(const auto& number) const {
+    number("radius", radius, range::positive);
+    number("cells", cells, range::count);
+  }
 };
 
 namespace detail {
 
+/// Nodes of the octants of a ball, before they are joined.
+inline double ball_nodes(double cells) { return 8 * (cells + 1) * (cells + 1) * (4 * cells + 1); }
 /// Hexahedra of the octant of the unit ball where no coordinate is negative: a core of n^3 and three outer blocks of
 /// n^3 on its faces. In the plane z = 0 it is the quarter disc of as many cells.
 inline Mesh ball_octant(Index n) {
@@ -81,12 +87,10 @@ inline void append_mirrored(Mesh& mesh, const Eigen::Vector3d& normal) { append(
 ///   const auto above = [](const auto& x) { return x[2] > 0; };
 ///   ball.hexahedra = cells_of(ball.hexahedra, cells_where(ball.nodes, ball.hexahedra, above));
 ///   ball = remove_orphan_nodes(ball);
-/// Errors: radius or cells not positive.
+/// Errors: a number out of its range; 2^32 nodes or more.
 inline Mesh sphere(const SphereShape& shape) {
-  if (!(shape.radius > 0) || !std::isfinite(shape.radius))
-    throw Error(detail::joined(
-        {"strike: a sphere of radius ", detail::text(shape.radius), " has no volume; give a positive `.radius`."}));
-  if (shape.cells < 1) throw Error("strike: a sphere has no cells; give 1 or more in `.cells`.");
+  detail::check_ranges(shape);
+  detail::check_count("cells of a sphere", detail::ball_nodes(shape.cells));
   Mesh mesh = detail::ball_octant(shape.cells);
   detail::append_mirrored(mesh, {0, 0, 1});
   if (shape.sector != Sector::quarter) detail::append_mirrored(mesh, {1, 0, 0});

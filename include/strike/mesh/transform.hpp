@@ -5,13 +5,16 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/mesh/count.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
+#include <strike/text.hpp>
 
 namespace strike {
 
@@ -44,8 +47,7 @@ inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
 
 /// The mesh stretched from the origin by a factor per axis. Error: a factor that is not positive.
 inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
-  if (!(factor(0) > 0 && factor(1) > 0 && factor(2) > 0 && factor.allFinite()))
-    throw Error("strike: a mesh is scaled by positive factors only; use `mirrored` to reflect it.");
+  detail::RangeCheck("scaled", "")("factor", factor, range::positive, "`mirrored` reflects a mesh");
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(x[0] * factor[0], x[1] * factor[1], x[2] * factor[2]);
   });
@@ -68,7 +70,8 @@ inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
 /// more.
 inline Index append(Mesh& mesh, const Mesh& other) {
   const std::size_t offset = mesh.nodes.size();
-  detail::check_count(static_cast<double>(offset + other.nodes.size()));
+  if (offset + other.nodes.size() > std::numeric_limits<Index>::max())
+    throw Error("strike: a mesh holds fewer than 2^32 nodes; keep these two apart.");
   const auto add = [offset](auto& cells, auto added) {  // a copy: `other` may be `mesh` itself
     for (auto& cell : added) {
       for (Index& node : cell) node += static_cast<Index>(offset);
@@ -104,8 +107,7 @@ inline Mesh renumbered(Mesh mesh, std::span<const Index> number, std::vector<Eig
 /// Error: a tolerance that is not positive.
 inline Mesh merge_coincident_nodes(Mesh mesh, double tolerance) {
   using namespace detail;
-  if (!(tolerance > 0))
-    throw Error("strike: nodes are joined within a positive tolerance; give the distance as a length.");
+  RangeCheck("merge_coincident_nodes", "")("tolerance", tolerance, range::positive, "it is a length");
   // Kept nodes are hashed by the cube of edge 4 tolerance that holds them; a node looks into the cubes which its
   // tolerance touches: one, rarely up to eight.
   constexpr Index none = std::numeric_limits<Index>::max();
@@ -185,10 +187,13 @@ inline Mesh remove_orphan_nodes(Mesh mesh) {
 }
 
 /// Hexahedra swept along z by the quadrilaterals of a plan (counter-clockwise seen from +z), one layer between each two
-/// levels [length], layer after layer. Errors: fewer than two levels; 2^32 nodes or more.
+/// levels [length], layer after layer. Errors: fewer than two levels; levels that do not rise.
 inline Mesh extruded(const Mesh& plan, std::span<const double> levels) {
   if (levels.size() < 2) throw Error("strike: a plan is extruded between at least two levels; give two or more.");
-  detail::check_count(static_cast<double>(levels.size()) * static_cast<double>(plan.nodes.size()));
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    detail::RangeCheck("extruded", "")(detail::joined({"levels[", std::to_string(i), "]"}), levels[i],
+                                       i == 0 ? range::finite : range::above(levels[i - 1]));
+  detail::check_count("layers that are extruded", double(plan.nodes.size()) * double(levels.size()));
   Mesh mesh;
   for (const double z : levels)
     for (const Eigen::Vector3d& x : plan.nodes) mesh.nodes.emplace_back(x[0], x[1], x[2] + z);

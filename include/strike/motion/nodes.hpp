@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <strike/error.hpp>
+#include <strike/mesh/count.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/motion.hpp>
@@ -36,7 +37,7 @@ class Nodes {
   /// `order` names every node once, in the order of their places.
   Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order)
       : own_(X.size()), mass_(X.size()), number_(std::move(order)), place_(X.size()) {
-    detail::check_count(static_cast<double>(X.size()));
+    detail::check_count("elements of a run", static_cast<double>(X.size()));
     if constexpr (elements_have_copy) copy_ = Motion<ElementReal, turn>(X.size());
     if constexpr (turn) inertia_.resize(X.size());
     for (std::size_t k = 0; k < number_.size(); ++k) place_[number_[k]] = static_cast<Index>(k);
@@ -97,7 +98,7 @@ class Nodes {
   /// Adds copies of the nodes at these places behind all others, each for one patch of elements alone. Error: 2^32
   /// places or more.
   void add_ghosts(const std::vector<Index>& places) {
-    detail::check_count(static_cast<double>(number_.size() + places.size()));
+    detail::check_count("patches of a run", static_cast<double>(number_.size() + places.size()));
     motion().resize(number_.size() + places.size());
     for (const Index place : places) number_.push_back(number_[place]);
   }

@@ -15,6 +15,7 @@
 #include <strike/output/archive.hpp>
 #include <strike/output/file.hpp>
 #include <strike/output/wall_clock.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -233,6 +234,11 @@ struct CheckpointOptions {
   double interval = std::numeric_limits<double>::infinity();  ///< of the run [time]
   double seconds = 60;                                        ///< of wall-clock time
   Restart restart = Restart::never;
+
+  void ranges(const auto& number) const {
+    number("interval", interval, range::or_infinite(range::positive));
+    number("seconds", seconds, range::or_infinite(range::positive));
+  }
 };
 
 /// An observer that saves a run, the observers of the same `until` and its companions to a file, from which the run
@@ -250,12 +256,7 @@ class Checkpoint {
   explicit Checkpoint(std::string path, Companions&... companions)
       : Checkpoint(std::move(path), CheckpointOptions{}, companions...) {}
   Checkpoint(std::string path, const CheckpointOptions& options, Companions&... companions)
-      : path_(std::move(path)), options_(options), companions_(companions...) {
-    if (!(options.interval > 0 && options.seconds > 0))
-      throw Error(
-          detail::joined({"strike: the Checkpoint '", path_, "' has the interval ", detail::text(options.interval),
-                          " and the seconds ", detail::text(options.seconds), "; give positive ones."}));
-  }
+      : path_(std::move(path)), options_(detail::in_range(options)), companions_(companions...) {}
 
   /// False if an item of a run has no function serialize; until(end, ...) says so in one sentence.
   template <class Run>

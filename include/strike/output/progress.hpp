@@ -13,6 +13,7 @@
 #endif
 
 #include <strike/output/wall_clock.hpp>
+#include <strike/range.hpp>
 
 namespace strike {
 
@@ -25,6 +26,8 @@ struct ProgressOptions {
   std::string unit = {};          ///< of time
   Show show = Show::on_terminal;  ///< by default only on a terminal
   std::FILE* stream = stderr;
+
+  void ranges(const auto& number) const { number("end", end, range::or_infinite(range::not_negative)); }
 };
 
 /// An observer with a progress line on a terminal: percent, time, step number, dt, energy error, estimated rest of the
@@ -35,7 +38,8 @@ struct ProgressOptions {
 /// number, or a function that is called only if a line is drawn.
 class Progress {
  public:
-  explicit Progress(const ProgressOptions& options) : options_(options) {
+  /// Error: a number out of its range.
+  explicit Progress(const ProgressOptions& options) : options_(detail::in_range(options)) {
     bool shown = options.show == Show::always;
 #if __has_include(<unistd.h>)
     if (options.show == Show::on_terminal) shown = ::isatty(::fileno(options.stream)) == 1;

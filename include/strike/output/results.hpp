@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <strike/output/file.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -17,14 +18,20 @@ namespace strike {
 /// A result of a run beside its reference.
 struct Result {
   std::string quantity;
-  double value;
+  double value;  ///< one that is not finite does not pass
   std::string unit = {};
   double reference = std::numeric_limits<double>::quiet_NaN();  ///< none if not a number
   double tolerance = std::numeric_limits<double>::infinity();   ///< largest |value - reference| that passes [unit]
   std::string source = {};                                      ///< of the reference
 
+  void ranges(const auto& number) const {
+    number("value", value, range::or_nan(range::or_infinite(range::finite)));
+    number("reference", reference, range::or_nan(range::finite));
+    number("tolerance", tolerance, range::or_infinite(range::not_negative));
+  }
+
   bool has_reference() const { return !std::isnan(reference); }
-  bool passes() const { return !std::isnan(value) && !(has_reference() && std::abs(value - reference) > tolerance); }
+  bool passes() const { return std::isfinite(value) && !(has_reference() && std::abs(value - reference) > tolerance); }
   /// Relative to the reference [%].
   double difference() const { return 100 * (value - reference) / std::abs(reference); }
 };
@@ -33,7 +40,11 @@ struct Result {
 /// .tolerance = .08, .source = "X3D"})`, then `write("results.csv")` and `print()`.
 class Results {
  public:
-  void add(Result result) { rows_.push_back(std::move(result)); }
+  /// Error: a reference that is infinite, a negative tolerance.
+  void add(Result result) {
+    detail::check_ranges(result);
+    rows_.push_back(std::move(result));
+  }
   const std::vector<Result>& rows() const { return rows_; }
 
   bool passed() const {

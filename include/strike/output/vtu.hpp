@@ -23,6 +23,7 @@
 #include <strike/output/field.hpp>
 #include <strike/output/file.hpp>
 #include <strike/output/xml.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -171,6 +172,7 @@ class VtuCells {
 
 [[gnu::cold]] inline void write_vtu(const std::string& path, double time, const Rows& positions, const VtuCells& cells,
                                     const std::vector<Field>& node_fields, const std::vector<Field>& cell_fields) {
+  RangeCheck("write_vtu", "")("time", time, range::finite);
   const std::size_t nodes = positions.size();
   cells.check_nodes(nodes, path);
   DataArray<double> time_value;

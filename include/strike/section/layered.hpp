@@ -269,6 +269,7 @@ class Layered {
     offset_ = offset;
     each_piece([&](auto i) {
       const auto& piece = detail::get<i>(pieces_);
+      if constexpr (is_plies[i]) detail::check_ranges(piece);
       const std::size_t count = detail::Piece<std::remove_cvref_t<decltype(piece)>>::count(piece);
       if constexpr (is_plies[i]) detail::get<i>(measured_).resize(count);
       add_thickness(count, layer<i>().thickness);

@@ -181,7 +181,10 @@ struct Plies {
   L layer;
   std::size_t count;
 
-  void ranges(const auto& number) const { number(layer); }
+  void ranges(const auto& number) const {
+    number(layer);
+    number("count", count, range::between(1, 100000));
+  }
 };
 template <class L>
 Plies(L, std::size_t) -> Plies<L>;

@@ -196,6 +196,7 @@ struct SweepOptions {
 
   void ranges(const auto& number) const {
     number("aspects", aspects, range::positive);
+    number("steps", steps, range::count);
     number("accuracy", accuracy, range::or_infinite(range::positive));
     number("rounding", rounding, range::not_negative);
     number("resolution", resolution, Range{.low = 0, .high = 1});

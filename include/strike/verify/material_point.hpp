@@ -100,7 +100,6 @@ class MaterialPoint {
   void run(const Path& path, Observer&& observe) {
     for (const Segment& segment : path.segments) {
       detail::check_ranges(segment);
-      if (segment.steps == 0) throw Error("strike: a Segment of a path has no steps: give at least one.");
       const Tensor initial_stress = now_.stress;
       const double dt = segment.duration / static_cast<double>(segment.steps);
       const Matrix3<T> L = segment.velocity_gradient.template cast<T>();

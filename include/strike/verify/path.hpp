@@ -16,6 +16,12 @@ namespace strike::verify {
 struct PrescribedStress {
   static constexpr double free = std::numeric_limits<double>::quiet_NaN();
   double xx = free, yy = free, zz = free, xy = free, yz = free, zx = free;
+
+  void ranges(const auto& number) const {
+    number("xx", xx, range::or_nan(range::finite)), number("yy", yy, range::or_nan(range::finite));
+    number("zz", zz, range::or_nan(range::finite)), number("xy", xy, range::or_nan(range::finite));
+    number("yz", yz, range::or_nan(range::finite)), number("zx", zx, range::or_nan(range::finite));
+  }
 };
 
 /// A part of a path in equal steps. The motion follows the velocity gradient; where a stress is prescribed, it runs
@@ -29,7 +35,9 @@ struct Segment {
 
   void ranges(const auto& number) const {
     number("duration", duration, range::positive);
+    number("steps", steps, range::count);
     number("velocity_gradient", velocity_gradient, range::point);
+    number(stress);
   }
 };
 
@@ -52,6 +60,7 @@ struct Ramp {
   void ranges(const auto& number) const {
     number("strain", strain, range::finite);
     number("rate", rate, range::positive);
+    number("steps", steps, range::count);
   }
 };
 
