@@ -69,9 +69,9 @@ void touch(benchmark::State& bench, Index n, double apart, const Policies&... po
 }
 
 /// The steps in which a block of 32 x 32 x 16 cells strikes 64 x 64 plates, flat, with all its lower nodes: the first
-/// 20 from the touch on, or without contact.
+/// ones from the touch on, or without contact.
 template <class... Contacts>
-void strike_plates(benchmark::State& bench, int threads, const Contacts&... contacts) {
+void strike_plates(benchmark::State& bench, int threads, int count, const Contacts&... contacts) {
   const double h = 1e-3;
   Mesh mesh = rectangle({.size = {64 * h, 64 * h}, .cells = {64, 64}});
   const Index first = append(
@@ -95,8 +95,8 @@ void strike_plates(benchmark::State& bench, int threads, const Contacts&... cont
     };
     while (in_touch() < enough) run.step();
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < 20; ++i) run.step(), steps += 1, pairs += static_cast<double>(in_touch());
-    bench.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 20);
+    for (int i = 0; i < count; ++i) run.step(), steps += 1, pairs += static_cast<double>(in_touch());
+    bench.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / count);
   }
   bench.counters["pairs"] = pairs / steps;
 }
@@ -127,19 +127,22 @@ const bool registered = [] {
     add("whole step, kinematic" + of, [=](auto& b) { step(b, 100, apart); });
     add("whole step, penalty" + of, [=](auto& b) { step(b, 100, apart, Penalty{}); });
   }
-  for (const int threads : {1, 2}) {
-    const std::string of = detail::joined({"block on plates, ", std::to_string(threads), " threads/"});
-    const auto add_strike = [&](const std::string& name, auto... contacts) {
-      benchmark::RegisterBenchmark((of + name).c_str(), [=](auto& b) { strike_plates(b, threads, contacts...); })
-          ->Unit(benchmark::kMillisecond)
-          ->UseManualTime()
-          ->Iterations(5);
-    };
-    add_strike("without contact");
-    add_strike("kinematic", Contact{Everything{}});
-    add_strike("penalty", Contact{Everything{}, Penalty{}});
-    add_strike("kinematic, friction", Contact{Everything{}, Coulomb{0.3}});
-  }
+  for (const int threads : {1, 2})
+    for (const int steps : {20, 400}) {
+      const std::string of = detail::joined(
+          {"block on plates, ", std::to_string(threads), " threads, ", std::to_string(steps), " steps/"});
+      const auto add_strike = [&](const std::string& name, auto... contacts) {
+        benchmark::RegisterBenchmark((of + name).c_str(),
+                                     [=](auto& b) { strike_plates(b, threads, steps, contacts...); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseManualTime()
+            ->Iterations(steps < 100 ? 5 : 1);
+      };
+      add_strike("without contact");
+      add_strike("kinematic", Contact{Everything{}});
+      add_strike("penalty", Contact{Everything{}, Penalty{}});
+      add_strike("kinematic, friction", Contact{Everything{}, Coulomb{0.3}});
+    }
   return true;
 }();
 

@@ -110,7 +110,7 @@ class CoupledPairs {
  private:
   static constexpr std::size_t per_block = 64;
 
-  /// A pair as its laws need it in a sweep.
+  /// What is needed of a pair again and again.
   struct Row {
     Eigen::Vector4d normal;  // and 0
     std::array<double, 5> weights;
@@ -130,9 +130,9 @@ class CoupledPairs {
       if (const std::size_t p = first(b) + apart(i); p < last(b)) f(p);
   }
 
-  /// For each pair a bound D of what impulses do to it [1/mass], so that D - A is positive semidefinite, where A are
-  /// the velocities by impulses of all pairs on each other; 0 if conditions hold it. D = w sum of |A_q|/w_q with 1/m* =
-  /// w of each pair q (Perron): w alone if it shares no node, and the same for a model cut at a plane of symmetry.
+  /// For each pair p a bound D of what impulses do to it [1/mass], so that D - A is positive semidefinite, where A_pq
+  /// is the velocity of p by a unit impulse of q; 0 if conditions hold it. D_p = sum of |A_pq| w_p/w_q with w = 1/m* of
+  /// each pair (Perron): w_p if it shares no node, and the same for a model cut at a plane of symmetry.
   template <bool along_normals, class Execution>
   std::vector<double> responses(const Execution& execution) {
     std::vector<double> of_pair(rows_.size()), at_node(number_.size(), 0.0);
@@ -145,11 +145,12 @@ class CoupledPairs {
       if (of_pair[p] > 0)
         each_response<along_normals>(rows_[p], [&](unsigned k, double a) { at_node[rows_[p].nodes[k]] += a / own; });
     });
-    largest(execution, [&](std::size_t p) {
-      double sum = 0;
-      each_response<along_normals>(rows_[p], [&](unsigned k, double a) { sum += a * at_node[rows_[p].nodes[k]]; });
-      of_pair[p] *= sum;
-      return 0.0;
+    execution.for_each(blocks(), [&](std::size_t b) {
+      each_of_block(b, [&](std::size_t p) {
+        double sum = 0;
+        each_response<along_normals>(rows_[p], [&](unsigned k, double a) { sum += a * at_node[rows_[p].nodes[k]]; });
+        of_pair[p] *= sum;
+      });
     });
     return of_pair;
   }
