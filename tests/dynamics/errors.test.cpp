@@ -57,6 +57,12 @@ TEST_CASE("wrong cells in the middle of a part are named, in double and in lanes
   auto& cell = mesh.hexahedra[middle];
   std::swap(cell[4], cell[5]);
   CHECK_THAT(both_told(mesh), ContainsSubstring(named + "is flat or inside out at corner "));
+  for (const double size : {1e-9, 1e9}) {  // whose sixth power is no float
+    Mesh scaled = mesh;
+    for (auto& x : scaled.nodes) x *= size;
+    CHECK_THAT(both_told(scaled),
+               ContainsSubstring("element 555 of part 0") && ContainsSubstring("flat or inside out"));
+  }
   mesh = sound;
   std::rotate(&cell[4], &cell[5], &cell[7] + 1);  // the volume stays positive
   CHECK_THAT(both_told(mesh),

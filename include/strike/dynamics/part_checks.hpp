@@ -83,9 +83,9 @@ bool are_well_shaped(const Nodal<T, E::nodes>& x) {
     if constexpr (E::shape == CellShape::hexahedron) {
       CellCorners<8, T> corners;
       for (std::size_t i = 0; i < 8; ++i) corners[i] = column(x, i);
-      const T margin = margin_of<E::shape, T>(std::array<Index, 8>{}, corners, 0.01);  // beyond rounding in float
+      const T well = is_well_shaped<E::shape, T>(std::array<Index, 8>{}, corners, 0.01);  // beyond rounding in float
       well_shaped = true;
-      for (std::size_t l = 0; l < lanes<T>; ++l) well_shaped = well_shaped && lane(margin, l) > 0;
+      for (std::size_t l = 0; l < lanes<T>; ++l) well_shaped = well_shaped && lane(well, l) > 0;
     }
   }
   return well_shaped;

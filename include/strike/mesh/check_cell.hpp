@@ -13,6 +13,7 @@
 #include <strike/element/cell_shape.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/scalar/scalar.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -144,19 +145,20 @@ struct CellLaws<CellShape::quadrilateral> {
   }
 };
 
-/// Positive if all corners of a cell have a scaled Jacobian larger than `least`, and if it is not twisted.
+/// 1 if all corners of a cell have a scaled Jacobian larger than `least` and it is not twisted, otherwise 0.
 template <CellShape shape, class T, std::size_t N>
-T margin_of(const std::array<Index, N>& cell, const CellCorners<N, T>& x, double least = flat) {
-  T margin = std::numeric_limits<double>::infinity();
-  CellLaws<shape>::each_corner(cell, x, [&](const auto& corner) { margin = min(margin, corner.margin(least)); });
+T is_well_shaped(const std::array<Index, N>& cell, const CellCorners<N, T>& x, double least = flat) {
+  T well = T(1.0);
+  const auto demand = [&](const T& margin) { well = select(margin > 0.0, well, T(0.0)); };  // NaN is no margin
+  CellLaws<shape>::each_corner(cell, x, [&](const auto& corner) { demand(corner.margin(least)); });
   if constexpr (shape == CellShape::hexahedron)
-    for (std::size_t axis = 0; axis < 3; ++axis) margin = min(margin, Twist<T>(x, axis).margin());
-  return margin;
+    for (std::size_t axis = 0; axis < 3; ++axis) demand(Twist<T>(x, axis).margin());
+  return well;
 }
 /// A cell breaks none of the laws of its shape.
 template <CellShape shape, std::size_t N>
 bool is_sound(const std::array<Index, N>& cell, const CellCorners<N>& x) {
-  return CellLaws<shape>::names_right(cell) && margin_of<shape, double>(cell, x) > 0;
+  return CellLaws<shape>::names_right(cell) && is_well_shaped<shape, double>(cell, x) > 0;
 }
 
 /// The law that a cell breaks, as the end of a sentence on it.
@@ -170,11 +172,13 @@ template <CellShape shape, std::size_t N>
   }
   double least = std::numeric_limits<double>::infinity();  // scaled Jacobian
   std::size_t corners = 0, corner = 0;
+  bool wrong = false;
   Laws::each_corner(cell, x, [&](const auto& at) {
     if (at.scaled() < least) least = at.scaled(), corner = corners;
+    wrong = wrong || !(at.margin(flat) > 0);
     ++corners;
   });
-  if (!(least > flat)) {
+  if (wrong) {
     std::string where, volume;
     if constexpr (shape != CellShape::tetrahedron) where = " at corner " + std::to_string(corner);
     if constexpr (shape != CellShape::quadrilateral) volume = joined({" (volume ", text(Laws::volume(x)), ")"});
