@@ -29,7 +29,7 @@ std::pair<double, double> quality(const Mesh& mesh) {
       const auto edge = [&](std::size_t k) {
         return Eigen::Vector3d(mesh.nodes[cell[neighbours[i][k]]] - mesh.nodes[cell[i]]);
       };
-      worst = std::min(worst, detail::corner_sine(edge(0), edge(1), edge(2)));
+      worst = std::min(worst, detail::CornerJacobian<double>(edge(0), edge(1), edge(2)).scaled());
       for (std::size_t k = 0; k < 3; ++k)
         shortest = std::min(shortest, edge(k).norm()), longest = std::max(longest, edge(k).norm());
     }

@@ -98,7 +98,11 @@ struct Elements {
     return ones;
   }
 
+  /// Error: there is no element of this number.
   std::size_t place_of(std::size_t e) const {
+    if (e >= size)
+      throw Error(joined({"strike: part ", std::to_string(number), " has no element ", std::to_string(e),
+                          "; count its ", std::to_string(size), " elements from 0."}));
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), e) - order.begin());
   }
   /// The numbers of the nodes of the element at a place.
@@ -117,7 +121,8 @@ struct Elements {
                    text(Eigen::Vector3d((1.0 / static_cast<double>(n)) * sum))});
   }
 
-  /// A value per element by its number, the mean over the points that visit(state, add) adds as f(point).
+  /// A value per element by its number, the mean over the points that visit(state, add) adds as f(point). Error: it
+  /// adds none.
   template <class F, class Visit>
   auto mean_over_points(const F& f, const Visit& visit) const {
     using Sum = PointValue<F, M, T>;
@@ -134,6 +139,9 @@ struct Elements {
         for (std::size_t k = 0; k < in_sum.size(); ++k) in_sum[k] += in_value[k];
         points += 1;
       });
+      if (!(points > 0))
+        throw Error(joined({"strike: the elements of part ", std::to_string(number),
+                            " have no point of material, so there is no field of it; visit them in each_point."}));
       for (std::size_t l = 0; l < count(b); ++l) {
         const auto in_element = numbers_of<double>(values[order[b * width + l]]);
         for (std::size_t k = 0; k < in_sum.size(); ++k)
@@ -141,6 +149,33 @@ struct Elements {
       }
     }
     return values;
+  }
+
+  static constexpr bool has_layers = requires(const State s) { s.each_point(std::size_t{}, PointVisitor{}); };
+  /// The same over the points of layer k. Error: it has none.
+  template <class F>
+  auto mean_over_layer(std::size_t k, const F& f) const {
+    static_assert(has_layers, "strike: the elements of this part have no layers: leave the layer out, as in field(f).");
+    if constexpr (has_layers) {
+      check_layer(k);
+      return mean_over_points(
+          f, [&](const State& state, const auto& add) { state.each_point(k, [&](const auto& point) { add(point); }); });
+    } else {
+      return std::vector<double>{};
+    }
+  }
+  [[gnu::cold]] void check_layer(std::size_t k) const {
+    const auto exists = [&](std::size_t layer) {
+      bool any = false;
+      blocks[0].state.each_point(layer, [&](const auto&) { any = true; });
+      return any;
+    };
+    if (exists(k)) return;
+    std::size_t layers = 0;
+    while (exists(layers)) ++layers;
+    throw Error(joined({"strike: part ", std::to_string(number), " has no layer ",
+                        std::to_string(static_cast<std::ptrdiff_t>(k)), "; count its ", std::to_string(layers),
+                        layers == 1 ? " layer" : " layers", " from 0 at the bottom."}));
   }
 };
 

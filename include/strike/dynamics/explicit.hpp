@@ -37,9 +37,9 @@ namespace strike {
 
 /// Explicit dynamics of a scene by central differences with a variable step (Belytschko, Liu, Moran 2000, box 6.1).
 /// Between two steps it holds x, f at the time n and v half a step before.
-///   Explicit run{scene};     Explicit run{scene, {.step_factor = 0.5}, GlobalStep{}};     Explicit run{scene,
-///   OpenMP{}};
-/// Policies follow the options, or the scene, in any order; see Method.
+///   Explicit run{scene};  Explicit run{scene, {.step_factor = 0.5}, GlobalStep{}};  Explicit run{scene, OpenMP{}};
+/// Policies follow the options, or the scene, in any order; see Method. Errors: those of its items; wrong cells, as
+/// check(mesh) finds them; a node without mass.
 template <class Method, class... Items>
 class Explicit : public detail::RunningScene<Method, Items...> {
   using RunningScene = detail::RunningScene<Method, Items...>;

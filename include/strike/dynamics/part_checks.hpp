@@ -1,14 +1,23 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include <Eigen/Core>
 
+#include <strike/element/cell_shape.hpp>
+#include <strike/element/element.hpp>
 #include <strike/error.hpp>
 #include <strike/material/material.hpp>
+#include <strike/mesh/check_cell.hpp>
 #include <strike/mesh/describe.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/scalar/scalar.hpp>
+#include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {
@@ -48,20 +57,54 @@ template <class M>
 
 /// Error: an element so far from the origin that the spacing of the numbers there would strain it by more than a
 /// thousandth.
-template <class Elements, class N>
-void check_resolution(const Elements& elements, const N& nodes, std::size_t place) {
-  const auto corners = elements.cell(nodes, place);
-  double spacing = 0, gap = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector3d x = nodes.x(corners[i]).template cast<double>();
-    spacing = std::max(spacing, nodes.resolution(corners[i]));
-    for (std::size_t j = 0; j < i; ++j)
-      if (const double d = Eigen::Vector3d(x - nodes.x(corners[j]).template cast<double>()).norm(); d > 0)
-        gap = std::min(gap, d);
+template <class Elements, class N, std::size_t n>
+void check_resolution(const Elements& elements, const N& nodes, std::size_t place, const CellCorners<n>& x) {
+  Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
+  double square = std::numeric_limits<double>::infinity();  // of the least distance between two corners
+  for (std::size_t i = 0; i < n; ++i) {
+    farthest = farthest.cwiseMax(x[i].cwiseAbs());
+    for (std::size_t j = 0; j < i; ++j) {
+      const double d = (x[i] - x[j]).squaredNorm();
+      square = d > 0 ? std::min(square, d) : square;
+    }
   }
-  if (spacing > 1e-3 * gap)
+  const double spacing = nodes.resolution(farthest);
+  if (const double gap = std::sqrt(square); spacing > 1e-3 * gap)
     throw Error(joined({"strike: ", elements.describe(nodes, place), " is only ", text(gap), " wide where numbers are ",
                         text(spacing), " apart; move the mesh to the origin or compute in double."}));
+}
+
+/// The hexahedra of all lanes, at x, are far from breaking the laws of their shape, but for names. False does not mean
+/// that one does: check_cell says so, in double. (Lanes cost a fifth of that.)
+template <class E, class T>
+bool are_well_shaped(const Nodal<T, E::nodes>& x) {
+  bool well_shaped = false;
+  if constexpr (HasCellShape<E>) {
+    if constexpr (E::shape == CellShape::hexahedron) {
+      CellCorners<8, T> corners;
+      for (std::size_t i = 0; i < 8; ++i) corners[i] = column(x, i);
+      const T well = is_well_shaped<E::shape, T>(std::array<Index, 8>{}, corners, 0.01);  // beyond rounding in float
+      well_shaped = true;
+      for (std::size_t l = 0; l < lanes<T>; ++l) well_shaped = well_shaped && lane(well, l) > 0;
+    }
+  }
+  return well_shaped;
+}
+
+/// Errors: as of check_resolution; a cell breaks a law of its element's shape, of which `well_shaped` cells can break
+/// that on names alone.
+template <class Elements, class N, std::size_t n>
+void check_cell(const Elements& elements, const N& nodes, std::size_t place, const std::array<Index, n>& cell,
+                const CellCorners<n>& x, bool well_shaped) {
+  using Element = std::remove_cvref_t<decltype(elements.element)>;
+  check_resolution(elements, nodes, place, x);
+  if constexpr (HasCellShape<Element>) {
+    constexpr CellShape shape = Element::shape;
+    static_assert(corner_count(shape) == n,
+                  "strike: the shape of this element has another number of corners than the element has nodes.");
+    if (!(well_shaped ? CellLaws<shape>::names_right(cell) : is_sound<shape>(cell, x)))
+      throw Error(joined({"strike: ", elements.describe(nodes, place), " ", fault_of<shape>(cell, x)}));
+  }
 }
 
 /// Error: an element without a positive mass.

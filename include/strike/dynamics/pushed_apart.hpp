@@ -20,9 +20,9 @@
 #include <strike/dynamics/running_scene.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/each_of.hpp>
-#include <strike/element/element.hpp>
+#include <strike/element/cell_shape.hpp>
 #include <strike/error.hpp>
-#include <strike/mesh/check.hpp>
+#include <strike/mesh/check_cell.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/text.hpp>
@@ -152,21 +152,18 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
   bool warned_ = false;                // a contact, of what was found last
 };
 
-/// Error: a cell of a part that was right is flat or inside out now.
+/// Error: a cell of a part that was sound is flat, inside out or twisted now.
 template <class E, class M, std::size_t n, class R>
 void check_moved(const Part<E, M, n, R>& part, std::size_t number, std::span<const Eigen::Vector3d> before,
                  std::span<const Eigen::Vector3d> after) {
-  const auto least = [](std::span<const Eigen::Vector3d> x, const std::array<Index, n>& cell) {
-    if constexpr (n == 8)
-      return least_corner_sine(x, cell).sine;
-    else if constexpr (n == 4)
-      return (is_flat<E> ? least_corner_sine_of_quadrilateral(x, cell) : least_corner_sine_of_tetrahedron(x, cell))
-          .sine;
+  const auto sound = [](std::span<const Eigen::Vector3d> x, const std::array<Index, n>& cell) {
+    if constexpr (HasCellShape<E>)
+      return is_sound<E::shape>(cell, corners_of(x, cell));
     else
-      return 1.0;
+      return true;
   };
   for (std::size_t e = 0; e < part.cells.size(); ++e)
-    if (least(after, part.cells[e]) <= flat && least(before, part.cells[e]) > flat)
+    if (!sound(after, part.cells[e]) && sound(before, part.cells[e]))
       throw Error(joined({"strike: where nothing overlaps, element ", std::to_string(e), " of part ",
                           std::to_string(number), " at ", text(centroid<n>(before, part.cells[e])),
                           " would be inside out, for its nodes are too deep in what they may touch; move the meshes "

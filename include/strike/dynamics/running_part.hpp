@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -14,6 +15,7 @@
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/patches.hpp>
+#include <strike/dynamics/plate_proportions.hpp>
 #include <strike/motion/gather.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/nodes.hpp>
@@ -80,13 +82,15 @@ class RunningPart {
     return book(nodes, ledger);
   }
 
-  /// Sentences about the material, scaled mass and deleted elements, one after the other; empty: none.
+  /// Sentences about the material, scaled mass, thick or thin plates and deleted elements, one after the other; empty:
+  /// none.
   std::string warning() const {
     std::string text = material_warning();
     const auto add = [&](const std::string& sentence) {
       if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
     };
     if constexpr (scales_mass) add(scaled_.warning(number(), mass_));
+    add(proportions_.warning(number(), size()));
     if (deletions_.count > 0)
       add(detail::joined({std::to_string(deletions_.count), " of ", std::to_string(size()), " elements of part ",
                           std::to_string(number()), " have been deleted."}));
@@ -144,17 +148,16 @@ class RunningPart {
     return elements_.mean_over_points(
         f, [&](const State& state, const auto& add) { state.each_point([&](const auto& point) { add(point); }); });
   }
-  /// The same for layer k of a plate, from 0 at its bottom.
+  /// The same for layer k of a plate, from 0 at its bottom. Error: no such layer.
   template <class F>
   auto field(std::size_t k, F f) const {
-    return elements_.mean_over_points(
-        f, [&](const State& state, const auto& add) { state.each_point(k, [&](const auto& point) { add(point); }); });
+    return elements_.mean_over_layer(k, f);
   }
 
   void ranges(const auto& number) const {
     number(elements_.element), number(elements_.material), number(elements_.removal);
   }
-  /// "element 7 of part 0 at (x, y, z)", by its number as given.
+  /// "element 7 of part 0 at (x, y, z)", by its number as given. Error: no such element.
   std::string describe(const Nodes& nodes, std::size_t e) const {
     return elements_.describe(nodes, elements_.place_of(e));
   }
@@ -216,11 +219,16 @@ class RunningPart {
     if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * own);
     if constexpr (Elements::has_geometry)
       block.removal.reference.inverse = detail::inverse_of_columns(detail::element_axes<E, T>(x));
+    const bool well_shaped = detail::are_well_shaped<E, T>(x);
     for (std::size_t l = 0; l < count(b); ++l) {
       const std::size_t place = b * width + l;
-      detail::check_resolution(elements_, nodes, place);
+      const std::array<Index, n> cell = elements_.cell(nodes, place);
+      detail::CellCorners<n> X;
+      for (std::size_t i = 0; i < n; ++i) X[i] = nodes.x(cell[i]).template cast<double>();
+      detail::check_cell(elements_, nodes, place, cell, X, well_shaped);
+      proportions_.add(elements_.order[place], cell, X, material());
       detail::check_mass(elements_, nodes, place, static_cast<double>(lane(mass, l)));
-      for (const Index i : elements_.cell(nodes, place)) {
+      for (const Index i : cell) {
         nodes.add_mass(i, static_cast<double>(lane(mass, l)));
         if constexpr (turns_nodes<E>()) nodes.add_inertia(i, static_cast<double>(lane(given.inertia, l)));
       }
@@ -303,6 +311,7 @@ class RunningPart {
   std::vector<detail::Outcome> outcomes_;
   [[no_unique_address]] std::conditional_t<scales_mass, detail::ScaledMass, NothingScaled> scaled_;
   [[no_unique_address]] Volume volume_;
+  [[no_unique_address]] detail::PlateProportions<E, M> proportions_;
   detail::Deletions newly_deleted_{}, deletions_{};
 };
 

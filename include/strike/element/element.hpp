@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include <strike/each_of.hpp>
+#include <strike/element/cell_shape.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/material.hpp>
 #include <strike/tensor/rotation.hpp>
@@ -81,6 +82,7 @@ struct PointVisitor {
 /// 9. `resistance(state, material, x, v, dt)`: of a small motion, for GlobalStep (strike/element/hex8_resistance.hpp).
 /// 10. `flows`: true where it gives way to a constant load for ever, of which a relaxation warns.
 /// 11. `ranges(number)`: what its numbers may be (strike/range.hpp); its policies may have it too.
+/// 12. `shape`: a static constexpr CellShape; a run refuses cells at its start that break the laws of check(mesh).
 /// Laws (tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
 /// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
 /// and creates no energy; in a step without time, dt = 0, no work is done. Models: Hex8, Hex8Full, Tet4, Plate4,

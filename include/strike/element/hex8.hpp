@@ -49,6 +49,7 @@ struct Hex8 {
 
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 8;
+  static constexpr CellShape shape = CellShape::hexahedron;
   static constexpr bool flows = std::is_same_v<Hourglass, ViscousHourglass>;
 
   template <class M, class T>

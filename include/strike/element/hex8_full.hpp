@@ -35,6 +35,7 @@ struct Hex8Full {
 
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 8;
+  static constexpr CellShape shape = CellShape::hexahedron;
   static constexpr std::size_t points = 8;
 
   template <class M, class T>

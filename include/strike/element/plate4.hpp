@@ -72,6 +72,7 @@ struct Plate4 {
 
   using Kinematics = PlateKinematics;
   static constexpr int nodes = 4;
+  static constexpr CellShape shape = CellShape::quadrilateral;
   static constexpr bool turns_nodes = true, projects_shear = Warping::projects_shear;
 
   template <class Section, class T>
@@ -91,7 +92,9 @@ struct Plate4 {
     }
     /// f(point) for the points of layer k.
     template <class F>
-    void each_point(std::size_t k, F f) const {
+    void each_point(std::size_t k, F f) const
+      requires requires(const typename Section::template State<T> layered) { layered.each_point(k, f); }
+    {
       material.each_point(k, f);
     }
   };

@@ -91,6 +91,7 @@ struct Tet4 {
 
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 4;
+  static constexpr CellShape shape = CellShape::tetrahedron;
 
   template <class T>
   struct GivenVolume {

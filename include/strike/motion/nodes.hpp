@@ -89,8 +89,9 @@ class Nodes {
   }
 
   /// Spacing of floating-point numbers at the position of node i [length].
-  double resolution(std::size_t i) const {
-    const Eigen::Vector3d at = x(i).template cast<double>();
+  double resolution(std::size_t i) const { return resolution(x(i).template cast<double>()); }
+  /// The same at a position.
+  static double resolution(const Eigen::Vector3d& at) {
     return static_cast<double>(std::numeric_limits<Plain>::epsilon()) *
            std::max({std::abs(at.x()), std::abs(at.y()), std::abs(at.z())});
   }

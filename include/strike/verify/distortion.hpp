@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -10,8 +11,11 @@
 
 #include <Eigen/Geometry>
 
+#include <strike/element/cell_shape.hpp>
+#include <strike/element/element.hpp>
 #include <strike/error.hpp>
-#include <strike/mesh/check.hpp>
+#include <strike/mesh/check_cell.hpp>
+#include <strike/mesh/mesh.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/bisect.hpp>
 #include <strike/verify/eigenmodes.hpp>
@@ -208,12 +212,20 @@ template <class E, class M>
 DistortedElement judged(const E& element, const M& material, const Nodal<double, E::nodes>& x,
                         const SweepOptions& options = {}) {
   DistortedElement result{1, 0};
-  Mesh mesh;
-  for (int i = 0; i < E::nodes; ++i) mesh.nodes.push_back(x.col(i));
-  if constexpr (E::nodes == 8) mesh.hexahedra.push_back({0, 1, 2, 3, 4, 5, 6, 7});
-  if constexpr (E::nodes == 4) (turns_nodes<E>() ? mesh.quadrilaterals : mesh.tetrahedra).push_back({0, 1, 2, 3});
+  if constexpr (E::nodes == 8 || E::nodes == 4) {
+    constexpr CellShape shape = E::nodes == 8      ? CellShape::hexahedron
+                                : turns_nodes<E>() ? CellShape::quadrilateral
+                                                   : CellShape::tetrahedron;
+    std::array<Index, E::nodes> cell;
+    detail::CellCorners<E::nodes> corners;
+    for (std::size_t i = 0; i < cell.size(); ++i)
+      cell[i] = static_cast<Index>(i), corners[i] = x.col(static_cast<Eigen::Index>(i));
+    bool inverted = false;
+    detail::CellLaws<shape>::each_corner(
+        cell, corners, [&](const auto& corner) { inverted = inverted || !(corner.margin(detail::flat) > 0); });
+    if (inverted) return result;
+  }
   try {
-    check(mesh);
     const SingleElement single{element, material, x};
     result.volume = single.now().volume, result.claimed = single.now().stable_step;
     if (!(result.volume > 0)) return result;
