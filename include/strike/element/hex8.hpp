@@ -117,12 +117,14 @@ struct Hex8 {
     if constexpr (controlled) {
       const T per_mass = (1.0 / density_of(material)) * state.inverse_volume, trace_S = stability.trace;
       const HourglassElement<T> element{rho, V, edge, per_mass, before.wave(), before.shear, trace_S, T(dt)};
+      // (m_k(n+1) - m_k(n))/dt - L m_k, L at the end, is a rate at the start of the step: what a control keeps of it
+      // turns with the element.
       const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
         const Vector3<T> rate_k = minus_times(u_k, L, m_k);
         if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
           return rate_k;
         else
-          return to_end(rate_k);
+          return turn(rate_k);
       };
       const HourglassModes<T> rates{rate_of(u.b1, m.b1), rate_of(u.b2, m.b2), rate_of(u.b3, m.b3), rate_of(u.d, m.d)};
       Q = hourglass.resistance(state.hourglass, element, rates);
