@@ -309,4 +309,6 @@ TEST_CASE("checkpoint: a run that is killed at any moment, again and again, leav
   for (const std::string file :
        {"bar.csv", "bar.pvd", "bar.vtu.series", "bar_0000.vtu", "bar_0003.vtu", "bar_0006.vtu"})
     CHECK(first_difference(content_of(folder / file), content_of(folder / ("whole/" + file))) == none);
+  for (const auto& file : std::filesystem::directory_iterator(folder.path()))
+    CHECK(file.path().extension() != ".part");  // of those that were being written
 }
