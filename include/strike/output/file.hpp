@@ -142,8 +142,7 @@ class OutputFile {
 }
 
 /// The file NAME.part, which grows until it replaces NAME or is removed. Who writes it has a lock, so that another
-/// program or thread waits; the system takes the lock from a killed program, and the next one overwrites what that
-/// left.
+/// program or thread waits; the system takes the lock from a killed program, and the next one replaces what that left.
 class PartFile {
  public:
   [[gnu::cold]] explicit PartFile(const std::string& target) : path_(joined({target, ".part"})) {
@@ -202,6 +201,7 @@ void replace_file(const std::string& path, const Write& write) {
   const std::string target = path_behind(path);
   PartFile part(target);
   OutputFile file(part.path());
+  file.go_on_behind(0);  // without what a killed program has left
   write(file);
   const bool synced = file.is_synced();
   file.close();
