@@ -306,7 +306,10 @@ TEST_CASE("checkpoint: a run that is killed at any moment, again and again, leav
   int deaths = 0;
   while (!survives(500 * deaths)) ++deaths;  // later and later, so that it ends
   CHECK(deaths > 3);
+  std::ofstream(folder / "bar.checkpoint.part") << "half a checkpoint";
+  go("bar");  // from the last checkpoint to the end, where none is due
   for (const std::string file :
        {"bar.csv", "bar.pvd", "bar.vtu.series", "bar_0000.vtu", "bar_0003.vtu", "bar_0006.vtu"})
     CHECK(first_difference(content_of(folder / file), content_of(folder / ("whole/" + file))) == none);
+  for (const auto& file : std::filesystem::directory_iterator(folder.path())) CHECK(file.path().extension() != ".part");
 }

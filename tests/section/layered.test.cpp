@@ -371,7 +371,7 @@ TEST_CASE("layered: thicknesses that cannot be are refused") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THROWS_WITH((Layered{Layer{steel, 1.0}, Layer{steel, -1.0}}),
                     ContainsSubstring("the thickness of Layer, in layer 1, is -1; it must be zero or positive"));
-  CHECK_THROWS_WITH((Layered{Layer{steel, 0.0}, Plies{Layer{steel, 1.0}, 0}}), ContainsSubstring("has no thickness"));
+  CHECK_THROWS_WITH((Layered{Layer{steel, 0.0}, Plies{Layer{steel, 0.0}, 3}}), ContainsSubstring("has no thickness"));
 }
 
 TEST_CASE("layered: a section tells what its materials and its shear have to say, each once") {

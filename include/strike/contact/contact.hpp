@@ -108,8 +108,10 @@ class Contact {
     detail::call_if_present<detail::Remove>(*meeting_, part, alive, all_);
   }
 
-  /// One sentence on nodes that start inside; empty if there are none.
+  /// A sentence on nodes that start inside, and one on bodies that begin crossed; empty if there are none.
   std::string warning() const { return inside_.warning(); }
+  /// Number of the nodes that started inside.
+  std::size_t inside() const { return inside_.count; }
   /// Points that started inside each other.
   const std::vector<Overlap>& overlaps() const { return inside_.overlaps; }
 

@@ -150,8 +150,7 @@ class EdgeApproach {
       return self && (other.are_apart(edges[e].face, f) ||
                       (!start_.empty() && (neighbourhood_.has(p, f) || neighbourhood_.has(q, f))));
     };
-    for (const auto& piercing : piercing_edges(ends, other, all.x, size_, passes_by))
-      inside.add_piercing(all, piercing);
+    for (const auto& piercing : piercing_edges(ends, other, all.x, passes_by)) inside.add_piercing(all, piercing);
   }
 
   /// Finds crests and which are near, if they may have moved by the margin at the end of the step after this one.

@@ -91,8 +91,10 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
         call_if_present<item::Begin>(begun, this->nodes_, std::span<const PartFaces>(parts_));
         const std::vector<Overlap>& overlaps = begun.overlaps();
         const std::string warning = begun.warning();
-        warned_ = warned_ || !warning.empty();
-        if (overlaps.empty() && !warning.empty())
+        bool warns = !warning.empty();
+        if constexpr (requires { begun.inside(); }) warns = begun.inside() > 0;  // and not of edges
+        warned_ = warned_ || warns;
+        if (overlaps.empty() && warns)
           throw Error(
               joined({"strike: pushed_apart cannot move nodes of a pairing that does not say what they overlap; "
                       "add pairs to its InitialPenetration. Its warning: ",

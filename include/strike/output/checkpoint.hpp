@@ -267,6 +267,7 @@ class Checkpoint {
   template <class Run, class Observers>
   bool resume(Run& run, Observers observers) {
     start_clocks(run);
+    detail::remove_part_of(path_);
     if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
     All<Run, Observers> all{run, companions_, observers};
     read_checkpoint(path_, all);

@@ -14,6 +14,7 @@
 #include <strike/text.hpp>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,7 +41,8 @@ namespace strike::detail {
 }
 
 /// A file being written. Its folder is made if it is not there; the old content stays until the first `write`. When
-/// `write` returns, the operating system has the text, so that it survives a crash of the program.
+/// `write` returns, the operating system has the text, so that it survives a crash of the program. A text for which the
+/// disk has no room is not in the file, not even its first half.
 class OutputFile {
  public:
   [[gnu::cold]] explicit OutputFile(std::string path) : path_(std::move(path)) {
@@ -49,6 +51,7 @@ class OutputFile {
     if (!file_)
       throw Error(detail::joined({"strike: the file '", path_,
                                   "' cannot be opened for writing: choose a path in a folder that you may write to."}));
+    std::setvbuf(file_, nullptr, _IONBF, 0);
   }
   OutputFile(OutputFile&& other) noexcept
       : path_(std::move(other.path_)), file_(std::exchange(other.file_, nullptr)), size_(other.size_) {}
@@ -64,8 +67,11 @@ class OutputFile {
 
   void write(std::string_view text) {
     if (size_ == 0) cut(0);
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
+      cut(size_);
+      refuse_text();
+    }
     size_ += text.size();
-    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0) refuse_text();
   }
 
   /// Continues after the first bytes of the old content and removes the rest. Error: the file is shorter.
@@ -135,6 +141,54 @@ class OutputFile {
     throw Error(joined({"strike: the folder '", folder, "' cannot be written: check its disk and run again."}));
 }
 
+/// The file NAME.part, which grows until it replaces NAME or is removed. Who writes it has a lock, so that another
+/// program or thread waits; the system takes the lock from a killed program, and the next one replaces what that left.
+class PartFile {
+ public:
+  [[gnu::cold]] explicit PartFile(const std::string& target) : path_(joined({target, ".part"})) {
+    make_folder_of(path_);
+    do {
+      unlock();
+      lock_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+      while (::flock(lock_, LOCK_EX) != 0 && errno == EINTR) continue;  // a disk without locks goes without
+    } while (lock_ >= 0 && !is_locked());
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  ~PartFile() {
+    if (lock_ >= 0 && !is_moved_) ::unlink(path_.c_str());
+    unlock();
+  }
+
+  const std::string& path() const { return path_; }
+
+  /// True if the target has been replaced.
+  [[gnu::cold]] bool replace(const std::string& target) {
+    return is_moved_ = std::rename(path_.c_str(), target.c_str()) == 0;
+  }
+
+ private:
+  /// False if the program that had the lock has moved or removed the file since.
+  [[gnu::cold]] bool is_locked() const {
+    struct ::stat ours, there;
+    return ::fstat(lock_, &ours) == 0 && ::stat(path_.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
+           ours.st_dev == there.st_dev;
+  }
+  void unlock() {
+    if (lock_ >= 0) ::close(lock_);
+  }
+
+  std::string path_;
+  int lock_ = -1;
+  bool is_moved_ = false;
+};
+
+/// Removes what a killed program has left of a new content.
+[[gnu::cold]] inline void remove_part_of(const std::string& path) {
+  const std::string target = path_behind(path);
+  if (::access(joined({target, ".part"}).c_str(), F_OK) == 0) PartFile{target};
+}
+
 /// Writes a file whole, by `write(OutputFile&)`, or leaves the old file: a reader never finds half of it, even after a
 /// killed run. If `write` syncs the file, the disk has it under its name.
 template <std::invocable<OutputFile&> Write>
@@ -145,20 +199,16 @@ void replace_file(const std::string& path, const Write& write) {
     return file.close();
   }
   const std::string target = path_behind(path);
-  const std::string part = joined({target, ".", std::to_string(::getpid()), ".part"});  // one for each program
-  try {
-    OutputFile file(part);
-    write(file);
-    const bool synced = file.is_synced();
-    file.close();
-    if (std::rename(part.c_str(), target.c_str()) != 0)
-      throw Error(detail::joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
-                                  "): close or remove what is there."}));
-    if (synced) sync_folder_of(target);
-  } catch (...) {
-    ::unlink(part.c_str());
-    throw;
-  }
+  PartFile part(target);
+  OutputFile file(part.path());
+  file.go_on_behind(0);  // without what a killed program has left
+  write(file);
+  const bool synced = file.is_synced();
+  file.close();
+  if (!part.replace(target))
+    throw Error(detail::joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
+                                "): close or remove what is there."}));
+  if (synced) sync_folder_of(target);
 }
 
 [[gnu::cold]] inline void replace_file(const std::string& path, std::string_view content) {
