@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -110,12 +111,12 @@ class CoupledPairs {
  private:
   static constexpr std::size_t per_block = 64;
 
-  /// What is needed of a pair again and again.
+  /// What is needed of a pair again and again. One of fewer nodes has its first once more, without a weight.
   struct Row {
     Eigen::Vector4d normal;  // and 0
     std::array<double, 5> weights;
     std::array<Index, 5> nodes;  // by their places among those of all pairs
-    unsigned short count, is_held;
+    bool is_held;
   };
 
   static double size(double J) { return std::abs(J); }
@@ -138,17 +139,17 @@ class CoupledPairs {
     std::vector<double> of_pair(rows_.size()), at_node(number_.size(), 0.0);
     each(execution, [&](std::size_t p) {
       double own = 0, free = 0;
-      each_response<along_normals>(rows_[p], [&](unsigned k, double a) {
+      each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
         own += a * a, free += rows_[p].weights[k] * rows_[p].weights[k] * velocity_[rows_[p].nodes[k]][3];
       });
       of_pair[p] = own > 1e-6 * free ? own : 0;
       if (of_pair[p] > 0)
-        each_response<along_normals>(rows_[p], [&](unsigned k, double a) { at_node[rows_[p].nodes[k]] += a / own; });
+        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) { at_node[rows_[p].nodes[k]] += a / own; });
     });
     execution.for_each(blocks(), [&](std::size_t b) {
       each_of_block(b, [&](std::size_t p) {
         double sum = 0;
-        each_response<along_normals>(rows_[p], [&](unsigned k, double a) { sum += a * at_node[rows_[p].nodes[k]]; });
+        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) { sum += a * at_node[rows_[p].nodes[k]]; });
         of_pair[p] *= sum;
       });
     });
@@ -158,7 +159,7 @@ class CoupledPairs {
   /// direction.
   template <bool along_normals, class F>
   void each_response(const Row& row, const F& f) const {
-    each_node(row, [&](unsigned k) {
+    for (std::size_t k = 0; k < 5; ++k) {
       double inverse_mass = velocity_[row.nodes[k]][3];
       if (row.is_held) {
         const Index node = number_[row.nodes[k]];
@@ -168,7 +169,7 @@ class CoupledPairs {
           inverse_mass = 0;
       }
       f(k, std::abs(row.weights[k]) * std::sqrt(inverse_mass));
-    });
+    }
   }
 
   /// An order in which neighbours, which share nodes, do not follow each other, so that none waits for the other.
@@ -179,30 +180,25 @@ class CoupledPairs {
 
   /// The relative velocity, and a number without a meaning.
   Eigen::Vector4d sum(std::size_t p) const {
-    const Row& row = rows_[p];
-    Eigen::Vector4d one = row.weights[0] * velocity_[row.nodes[0]], other = Eigen::Vector4d::Zero();
-    each_node(row, [&](unsigned k) {  // in two sums, neither of which waits for the other
-      if (k > 0) (k % 2 == 0 ? one : other) += row.weights[k] * velocity_[row.nodes[k]];
-    });
+    const auto& [w, nodes] = std::tie(rows_[p].weights, rows_[p].nodes);
+    // In two sums, neither of which waits for the other.
+    const Eigen::Vector4d one = w[0] * velocity_[nodes[0]] + w[2] * velocity_[nodes[2]] + w[4] * velocity_[nodes[4]],
+                          other = w[1] * velocity_[nodes[1]] + w[3] * velocity_[nodes[3]];
     return one + other;
   }
   /// The fourth number of the impulse is 0.
   void give(const Row& row, const Eigen::Vector4d& impulse) {
-    each_node(row, [&](unsigned k) {
+    if (row.is_held) return give_held(row, impulse.head<3>());
+    for (std::size_t k = 0; k < 5; ++k) {
       Eigen::Vector4d& v = velocity_[row.nodes[k]];
-      if (!row.is_held)
-        v += (row.weights[k] * v[3]) * impulse;
-      else
-        v.head<3>() += (row.weights[k] * v[3]) * nodes_.free(number_[row.nodes[k]], impulse.head<3>());
-    });
+      v += (row.weights[k] * v[3]) * impulse;
+    }
   }
-  /// A node and a quadrilateral are most pairs.
-  template <class F>
-  static void each_node(const Row& row, const F& f) {
-    if (row.count == 5)
-      for (unsigned k = 0; k < 5; ++k) f(k);
-    else
-      for (unsigned k = 0; k < row.count; ++k) f(k);
+  void give_held(const Row& row, const Eigen::Vector3d& impulse) {
+    for (std::size_t k = 0; k < 5; ++k) {
+      Eigen::Vector4d& v = velocity_[row.nodes[k]];
+      v.head<3>() += (row.weights[k] * v[3]) * nodes_.free(number_[row.nodes[k]], impulse);
+    }
   }
 
   /// Sets the rows, and the colour of each block: the first that no block before it with a node of its own has. Blocks
@@ -218,13 +214,15 @@ class CoupledPairs {
         const ContactPair& pair = pairs[p];
         Row& row = rows_[p];
         row.normal << pair.normal, 0;
-        row.weights = pair.weights, row.count = static_cast<unsigned short>(pair.count), row.is_held = 0;
+        row.weights = pair.weights, row.is_held = false;
         for (unsigned k = 0; k < pair.count; ++k) {
           Index& at = place[pair.nodes[k]];
           if (at == none) at = static_cast<Index>(number_.size()), number_.push_back(pair.nodes[k]), taken.push_back(0);
           row.nodes[k] = at, around |= taken[at];
-          if (nodes_.is_held(pair.nodes[k])) row.is_held = 1;
+          row.is_held = row.is_held || nodes_.is_held(pair.nodes[k]);
         }
+        std::fill(row.nodes.begin() + pair.count, row.nodes.end(), row.nodes[0]);
+        std::fill(row.weights.begin() + pair.count, row.weights.end(), 0.0);
       }
       const auto colour = static_cast<std::size_t>(std::countr_one(around));
       if (colour >= most_colours) {
@@ -234,7 +232,7 @@ class CoupledPairs {
       while (colours_.size() <= colour) colours_.emplace_back();
       colours_[colour].push_back(b);
       for (std::size_t p = first(b); p < last(b); ++p)
-        for (unsigned k = 0; k < rows_[p].count; ++k) taken[rows_[p].nodes[k]] |= std::uint64_t{1} << colour;
+        for (const Index k : rows_[p].nodes) taken[k] |= std::uint64_t{1} << colour;
     }
   }
 
