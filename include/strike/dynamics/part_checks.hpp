@@ -74,36 +74,56 @@ void check_resolution(const Elements& elements, const N& nodes, std::size_t plac
                         text(spacing), " apart; move the mesh to the origin or compute in double."}));
 }
 
-/// The hexahedra of all lanes, at x, are far from breaking the laws of their shape, but for names. False does not mean
-/// that one does: check_cell says so, in double. (Lanes cost a fifth of that.)
+/// The hexahedra of all lanes, at x, are far from what check_cell refuses, but for their names. False does not mean
+/// that it refuses one, which it decides in double. (Lanes cost a fifth of that.)
 template <class E, class T>
 bool are_well_shaped(const Nodal<T, E::nodes>& x) {
   bool well_shaped = false;
   if constexpr (HasCellShape<E>) {
     if constexpr (E::shape == CellShape::hexahedron) {
       CellCorners<8, T> corners;
-      for (std::size_t i = 0; i < 8; ++i) corners[i] = column(x, i);
+      T farthest2 = T(0.0), square = T(std::numeric_limits<float>::max());  // as in check_resolution
+      for (std::size_t i = 0; i < 8; ++i) {
+        corners[i] = column(x, i);
+        farthest2 = max(farthest2, T(dot<T>(corners[i], corners[i])));
+        for (std::size_t j = 0; j < i; ++j) {
+          const Vector3<T> apart = corners[i] - corners[j];
+          square = min(square, T(dot<T>(apart, apart)));
+        }
+      }
+      constexpr double share = 2e3 * double(std::numeric_limits<RealOf<T>>::epsilon());
+      const T resolved = square - (share * share) * farthest2;
       const T well = is_well_shaped<E::shape, T>(std::array<Index, 8>{}, corners, 0.01);  // beyond rounding in float
       well_shaped = true;
-      for (std::size_t l = 0; l < lanes<T>; ++l) well_shaped = well_shaped && lane(well, l) > 0;
+      for (std::size_t l = 0; l < lanes<T>; ++l)
+        well_shaped = well_shaped && lane(well, l) > 0 && lane(resolved, l) > 0;
     }
   }
   return well_shaped;
 }
 
-/// Errors: as of check_resolution; a cell breaks a law of its element's shape, of which `well_shaped` cells can break
+/// The positions of the corners of a cell, in double.
+template <class N, std::size_t n>
+CellCorners<n> corners_at(const N& nodes, const std::array<Index, n>& cell) {
+  CellCorners<n> x;
+  for (std::size_t i = 0; i < n; ++i) x[i] = nodes.x(cell[i]).template cast<double>();
+  return x;
+}
+
+/// Errors: as of check_resolution; a cell breaks a law of its element's shape. Of these `well_shaped` cells can break
 /// that on names alone.
 template <class Elements, class N, std::size_t n>
 void check_cell(const Elements& elements, const N& nodes, std::size_t place, const std::array<Index, n>& cell,
-                const CellCorners<n>& x, bool well_shaped) {
+                bool well_shaped) {
   using Element = std::remove_cvref_t<decltype(elements.element)>;
-  check_resolution(elements, nodes, place, x);
+  if (!well_shaped) check_resolution(elements, nodes, place, corners_at(nodes, cell));
   if constexpr (HasCellShape<Element>) {
     constexpr CellShape shape = Element::shape;
     static_assert(corner_count(shape) == n,
                   "strike: the shape of this element has another number of corners than the element has nodes.");
-    if (!(well_shaped ? CellLaws<shape>::names_right(cell) : is_sound<shape>(cell, x)))
-      throw Error(joined({"strike: ", elements.describe(nodes, place), " ", fault_of<shape>(cell, x)}));
+    if (!(well_shaped ? CellLaws<shape>::names_right(cell) : is_sound<shape>(cell, corners_at(nodes, cell))))
+      throw Error(
+          joined({"strike: ", elements.describe(nodes, place), " ", fault_of<shape>(cell, corners_at(nodes, cell))}));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include <strike/dynamics/part_checks.hpp>
 #include <strike/element/cell_shape.hpp>
 #include <strike/mesh/check_cell.hpp>
 #include <strike/mesh/mesh.hpp>
@@ -14,11 +15,9 @@
 namespace strike::detail {
 
 /// The plates of a part whose thickness makes no sense beside their shortest edge; of other elements nothing.
-/// - Thicker than twice that edge: the mesh then has waves shorter than the thickness, for the shortest spans two
-/// edges.
-///   There modes across the thickness begin, which no plate has (Mindlin 1951). A warning alone: longer waves are
-///   right.
-/// - Thinner than 1e-4 of it: its stiffness in bending, (h/a)^2/12 of that in its plane, is below 1e-9.
+/// Thicker than twice that edge: the mesh has waves shorter than the thickness, for the shortest spans two edges. There
+/// modes across the thickness begin, which no plate has (Mindlin 1951). A warning alone: longer waves are right.
+/// Thinner than 1e-4 of it: its stiffness in bending, (h/a)^2/12 of that in its plane, is below 1e-9.
 template <class E, class M>
 class PlateProportions {
  public:
@@ -34,8 +33,10 @@ template <class E, class M>
   }
 class PlateProportions<E, M> {
  public:
-  /// Plate e with corners at x.
-  void add(std::size_t e, const std::array<Index, 4>& cell, const CellCorners<4>& x, const M& section) {
+  /// Plate e.
+  template <class N>
+  void add(std::size_t e, const N& nodes, const std::array<Index, 4>& cell, const M& section) {
+    const CellCorners<4> x = corners_at(nodes, cell);
     double square = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 4; ++i)
       if (const std::size_t next = (i + 1) % 4; cell[i] != cell[next])

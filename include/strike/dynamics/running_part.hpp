@@ -223,10 +223,8 @@ class RunningPart {
     for (std::size_t l = 0; l < count(b); ++l) {
       const std::size_t place = b * width + l;
       const std::array<Index, n> cell = elements_.cell(nodes, place);
-      detail::CellCorners<n> X;
-      for (std::size_t i = 0; i < n; ++i) X[i] = nodes.x(cell[i]).template cast<double>();
-      detail::check_cell(elements_, nodes, place, cell, X, well_shaped);
-      proportions_.add(elements_.order[place], cell, X, material());
+      detail::check_cell(elements_, nodes, place, cell, well_shaped);
+      proportions_.add(elements_.order[place], nodes, cell, material());
       detail::check_mass(elements_, nodes, place, static_cast<double>(lane(mass, l)));
       for (const Index i : cell) {
         nodes.add_mass(i, static_cast<double>(lane(mass, l)));
