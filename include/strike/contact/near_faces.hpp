@@ -45,9 +45,9 @@ class NearFaces {
       corners_ = ascending(std::move(corners_));
     }
     // The way of the last step, with all impulses, takes the place of the one that was expected.
-    last_reach_ = fastest(nodes, execution, [&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; });
-    travelled_ += last_reach_ - step_reach_;
-    speed_ = fastest(nodes, execution, [&](Index i) { return all.v[i]; });
+    const double before = step_reach_;
+    find_fastest(all, nodes, execution);
+    travelled_ += last_reach_ - before;
     step_reach_ = dt * speed_;
     // Twice the way, so that the step after this one is seen too.
     if (!(travelled_ + 2 * step_reach_ <= margin_))
@@ -94,28 +94,49 @@ class NearFaces {
  private:
   void wake_all() { wakes_.assign(search_.size(), 0.0), first_wakes_.assign(search_.nodes(), 0.0); }
 
-  /// Bound of a vector, such as the velocity, of a node relative to a face: the sum of the largest of both relative to
-  /// the mean of the faces.
-  template <class Execution, class Of>
-  double fastest(const std::vector<Index>& nodes, const Execution& execution, const Of& of) const {
-    std::vector<Eigen::Vector3d> sums(chunks(corners_.size()));
-    for_each_chunk(execution, corners_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
-      sums[c].setZero();
-      for (std::size_t k = first; k < last; ++k) sums[c] += of(corners_[k]);
-    });
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& sum : sums) mean += sum / static_cast<double>(corners_.size());
-    const auto most = [&](const std::vector<Index>& some) {
-      std::vector<double> most2(chunks(some.size()));
-      for_each_chunk(execution, some.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
-        double of_chunk = 0;
-        for (std::size_t k = first; k < last; ++k) of_chunk = std::max(of_chunk, (of(some[k]) - mean).squaredNorm());
-        most2[c] = of_chunk;
-      });
-      return std::sqrt(most2.empty() ? 0.0 : *std::max_element(most2.begin(), most2.end()));
+  /// Sets bounds of the way in the last step and of the velocity of a node relative to a face: the sum of the largest
+  /// of both relative to the mean of the faces.
+  template <class Execution>
+  void find_fastest(const ContactNodes& all, const std::vector<Index>& nodes, const Execution& execution) {
+    struct Both {
+      Eigen::Vector3d way = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
     };
-    const double of_faces = most(corners_);
-    return of_faces + (self ? of_faces : most(nodes));
+    std::vector<Both> sums(chunks(corners_.size()));
+    for_each_chunk(execution, corners_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
+      Both sum;
+      for (std::size_t k = first; k < last; ++k) {
+        const Index i = corners_[k];
+        sum.way += all.x[i] - all.x_before[i], sum.velocity += all.v[i];
+      }
+      sums[c] = sum;
+    });
+    Both mean;
+    for (const Both& sum : sums) mean.way += sum.way, mean.velocity += sum.velocity;
+    const double count = static_cast<double>(corners_.size());
+    mean.way /= count, mean.velocity /= count;
+    struct Squares {
+      double way = 0, velocity = 0;
+    };
+    const auto most = [&](const std::vector<Index>& some) {
+      std::vector<Squares> squares(chunks(some.size()));
+      for_each_chunk(execution, some.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
+        Squares of_chunk;
+        for (std::size_t k = first; k < last; ++k) {
+          const Index i = some[k];
+          of_chunk.way = std::max(of_chunk.way, (all.x[i] - all.x_before[i] - mean.way).squaredNorm());
+          of_chunk.velocity = std::max(of_chunk.velocity, (all.v[i] - mean.velocity).squaredNorm());
+        }
+        squares[c] = of_chunk;
+      });
+      Squares largest;
+      for (const Squares& of_chunk : squares) {
+        largest.way = std::max(largest.way, of_chunk.way);
+        largest.velocity = std::max(largest.velocity, of_chunk.velocity);
+      }
+      return Squares{std::sqrt(largest.way), std::sqrt(largest.velocity)};
+    };
+    const Squares of_faces = most(corners_), of_nodes = self ? of_faces : most(nodes);
+    last_reach_ = of_faces.way + of_nodes.way, speed_ = of_faces.velocity + of_nodes.velocity;
   }
 
   BucketSearch search_;

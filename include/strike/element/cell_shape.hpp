@@ -2,6 +2,8 @@
 #include <concepts>
 #include <cstddef>
 
+#include <strike/cxx20.hpp>
+
 namespace strike {
 
 /// Shape of the cells of an element, which has corners as many and in the order as those of a Mesh.
