@@ -109,8 +109,8 @@ class Approach {
     }
     for (const Index s : near_.awake()) {
       const Index i = nodes_[s];
-      for (const Index f : near_.of(s)) {
-        if (self && is_own(i, f)) continue;
+      near_.each_within(s, dt, [&](Index f) {
+        if (self && is_own(i, f)) return;
         const auto& corners = faces_.target.faces()[f];
         const bool is_triangle = faces_.target.count(f) == 3;
         Motion motion{{}, {}, all.x[i] + moved * all.v[i], dt * all.v[i], is_triangle};
@@ -119,9 +119,9 @@ class Approach {
           motion.way_of_corners[k] = dt * all.v[corners[k]];
         }
         const Crossing meeting = crossing(motion, faces_.reach(i, f));
-        if (!meeting.happens()) continue;
+        if (!meeting.happens()) return;
         step = std::min(step, detail::closing_step(meeting.when * meeting.rate, meeting.rate / dt, cell_at(i, f, all)));
-      }
+      });
     }
     return step;
   }

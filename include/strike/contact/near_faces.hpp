@@ -74,6 +74,15 @@ class NearFaces {
     }
     first_wakes_[s] = first;
   }
+  /// Calls f(face) for the faces near node s that it may meet in a time dt after this step.
+  template <class F>
+  void each_within(std::size_t s, double dt, const F& f) const {
+    const double reach = travelled_ + dt * speed_;
+    if (reach < first_wakes_[s]) return;
+    const auto faces = search_.near(s);
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      if (!(reach < wakes_[search_.first(s) + k])) f(faces[k]);
+  }
   /// True if all faces near node s rest.
   bool rests(std::size_t s) const { return travelled_ < first_wakes_[s]; }
 
