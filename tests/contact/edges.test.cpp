@@ -176,7 +176,7 @@ TEST_CASE("plates that meet edge on edge do so at their thickness, whatever the 
 }
 
 TEST_CASE("bodies that begin crossed with no node inside are told by their edges") {
-  const Eigen::Matrix3d turned = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const auto edges = [&](const Mesh& one, const Mesh& other) {
     Mesh mesh = one;
     append(mesh, other);
@@ -200,7 +200,7 @@ TEST_CASE("bodies that begin crossed with no node inside are told by their edges
     const int there = count(TwoWay{skin(false), skin(true)});
     CHECK(count(TwoWay{skin(true), skin(false)}) == there);
     CHECK(count(SelfContact{skin(false) + skin(true)}) == there);
-    for (auto& x : mesh.nodes) x = turned * x;
+    for (auto& x : mesh.nodes) x = turn * x;
     CHECK(count(SelfContact{skin(true) + skin(false)}) == there);
     return there;
   };
