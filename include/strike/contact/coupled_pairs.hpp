@@ -111,7 +111,7 @@ class CoupledPairs {
  private:
   static constexpr std::size_t per_block = 64;
 
-  /// What is needed of a pair again and again. One of fewer nodes has its first once more, without a weight.
+  /// The part of a pair that all iterations read. One of fewer nodes has its first once more, without a weight.
   struct Row {
     Eigen::Vector4d normal;  // and 0
     std::array<double, 5> weights;

@@ -116,15 +116,16 @@ template <class Elements, class N, std::size_t n>
 void check_cell(const Elements& elements, const N& nodes, std::size_t place, const std::array<Index, n>& cell,
                 bool well_shaped) {
   using Element = std::remove_cvref_t<decltype(elements.element)>;
-  if (!well_shaped) check_resolution(elements, nodes, place, corners_at(nodes, cell));
   if constexpr (HasCellShape<Element>) {
-    constexpr CellShape shape = Element::shape;
-    static_assert(corner_count(shape) == n,
+    static_assert(corner_count(Element::shape) == n,
                   "strike: the shape of this element has another number of corners than the element has nodes.");
-    if (!(well_shaped ? CellLaws<shape>::names_right(cell) : is_sound<shape>(cell, corners_at(nodes, cell))))
-      throw Error(
-          joined({"strike: ", elements.describe(nodes, place), " ", fault_of<shape>(cell, corners_at(nodes, cell))}));
+    if (well_shaped && CellLaws<Element::shape>::names_right(cell)) return;
   }
+  const CellCorners<n> x = corners_at(nodes, cell);
+  check_resolution(elements, nodes, place, x);
+  if constexpr (HasCellShape<Element>)
+    if (!is_sound<Element::shape>(cell, x))
+      throw Error(joined({"strike: ", elements.describe(nodes, place), " ", fault_of<Element::shape>(cell, x)}));
 }
 
 /// Error: an element without a positive mass.

@@ -91,8 +91,7 @@ class CheckpointReader final : public Archive {
     if (read_tail().scene != scene)
       refuse(
           "is of another scene: its mesh, its items, their constants or its observers differ; continue with the "
-          "program "
-          "that wrote it");
+          "program that wrote it");
     std::fseek(file_.stream, sizeof head, SEEK_SET);
   }
 
