@@ -5,6 +5,7 @@
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hex8_resistance.hpp>
 #include <strike/element/hourglass.hpp>
+#include <strike/element/physical_hourglass.hpp>
 #include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
@@ -26,8 +27,8 @@ struct Hex8 {
                             !detail::nearly<detail::ControlStiffness, const Hourglass, const HourglassElement<double>>,
                         sound = has_instant && knows_stiffness;
   static_assert(has_hourglass,
-                "strike: the first policy of Hex8 is its hourglass control: ViscousHourglass, StiffnessHourglass or "
-                "NoHourglass.");
+                "strike: the first policy of Hex8 is its hourglass control: PhysicalHourglass, ViscousHourglass, "
+                "StiffnessHourglass or NoHourglass.");
   static_assert(!has_hourglass || has_rotation,
                 "strike: the second policy of Hex8 is the rotation of its tensors: HughesWinget or Jaumann.");
   static_assert(!has_rotation || has_viscosity,
@@ -114,19 +115,22 @@ struct Hex8 {
     const Vector3<T> none{T(0.0), T(0.0), T(0.0)};
     HourglassModes<T> Q{none, none, none, none};
     T hourglass_rate = T(0.0);
-    if constexpr (controlled) {
-      const T per_mass = (1.0 / density_of(material)) * state.inverse_volume, trace_S = stability.trace;
-      const HourglassElement<T> element{rho, V, edge, per_mass, before.wave(), before.shear, trace_S, T(dt)};
-      // (m_k(n+1) - m_k(n))/dt - L m_k, L at the end, is a rate at the start of the step: what a control keeps of it
-      // turns with the element.
-      const auto rate_of = [&](const Vector3<T>& u_k, const Vector3<T>& m_k) -> Vector3<T> {
-        const Vector3<T> rate_k = minus_times(u_k, L, m_k);
+    const T per_mass = (1.0 / density_of(material)) * state.inverse_volume;
+    const HourglassElement<T> element{rho,          V,     edge,          per_mass,        before.wave(),
+                                      before.shear, T(dt), shrinkage * S, stability.trace, stability.eigenvalue};
+    // (m_k(n+1) - m_k(n))/dt - L m_k, L at the end, is a rate at the start of the step.
+    const auto rates_from = [&](const auto& carried) -> HourglassModes<T> {
+      return {carried(minus_times(u.b1, L, m.b1)), carried(minus_times(u.b2, L, m.b2)),
+              carried(minus_times(u.b3, L, m.b3)), carried(minus_times(u.d, L, m.d))};
+    };
+    if constexpr (controlled && !physical) {
+      // What a control keeps of it turns with the element.
+      const HourglassModes<T> rates = rates_from([&](const Vector3<T>& rate_k) -> Vector3<T> {
         if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
           return rate_k;
         else
           return turn(rate_k);
-      };
-      const HourglassModes<T> rates{rate_of(u.b1, m.b1), rate_of(u.b2, m.b2), rate_of(u.b3, m.b3), rate_of(u.d, m.d)};
+      });
       Q = hourglass.resistance(state.hourglass, element, rates);
       response.hourglass_work = hourglass.work(element, Q, rates);
       hourglass_rate = hourglass.critical_rate(element);
@@ -136,8 +140,18 @@ struct Hex8 {
     response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
     heat(state.material, response.bulk_viscosity_work * state.inverse_volume);
 
+    [[maybe_unused]] const auto meter = flow_meter(material, state.material, rate, before.shear, dt);
     auto [sigma, work] = advance_point(material, state.material, rate, dt, V, dV);
     response.internal_work = work;
+    if constexpr (physical) {
+      const HourglassModes<T> rates = rates_from([](const Vector3<T>& rate_k) { return rate_k; });
+      const PointFlow<T> flow = meter(state.material, sigma, before.shear);
+      const auto answer = hourglass.advance(state.hourglass, element, m, u, rates, turn(rates[3]), flow,
+                                            detail::Yield<M, T>(material, state.material, rate, before.shear));
+      Q = answer.resistance, response.hourglass_work = answer.work, hourglass_rate = hourglass.critical_rate(element);
+      if constexpr (requires { material.flow(state.material, V, V); })
+        material.flow(state.material, answer.plastic_increment, answer.flow_stress);
+    }
     sigma += SymmetricTensor<T>::isotropic(-q);
 
     const Moduli<T> after = material.moduli(state.material, rate);
@@ -158,12 +172,12 @@ struct Hex8 {
   }
 
   template <class T>
-  using Resistance = Hex8Resistance<T>;
+  using Resistance = Hex8Resistance<T, Hourglass>;
 
   /// Resistance to a small motion in a step dt from here; v are the velocities of the nodes.
   template <class M, class T>
-  Hex8Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
-                               double dt) const {
+  Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
+                           double dt) const {
     const Hex8Gradient<T> g(to_modes<T>(x));
     const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
     const SolidKinematics::Rate<T> rate{symmetric_part(g.gradient_of(to_modes<T>(v), per_volume)), J};
@@ -172,8 +186,8 @@ struct Hex8 {
     const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / density_of(material)) * J};
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()),
                                               trace(rate.rate_of_deformation));
-    Hex8Resistance<T> resistance =
-        Hex8Resistance<T>::in_step(material, moduli, zeta, T(0.125 * density_of(material) / state.inverse_volume), dt);
+    Resistance<T> resistance =
+        Resistance<T>::in_step(material, moduli, zeta, T(0.125 * density_of(material) / state.inverse_volume), dt);
     if constexpr (controlled) {
       const T rho = density_of(material) / J;
       const HourglassElement<T> element{.density = rho,
@@ -181,12 +195,16 @@ struct Hex8 {
                                         .edge = cbrt(g.volume),
                                         .per_mass = per_volume / rho,
                                         .wave_modulus = moduli.wave(),
-                                        .shear_modulus = moduli.shear,
+                                        .shear_modulus = solid_shear(state.material, moduli.shear),
+                                        .dt = T(dt),
+                                        .gradient = S,
                                         .gradient_squared = stability.trace,
-                                        .dt = T(dt)};
+                                        .gradient_eigenvalue = stability.eigenvalue};
       const T r = dt * hourglass.critical_rate(element);
       constexpr bool stiff = detail::answers<detail::ControlStiffness, const Hourglass, const HourglassElement<T>>;
-      resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * (stiff ? T(r * r) : max(r, T(r * r)));
+      if constexpr (physical) resistance.stresses = hourglass.resistance(element);
+      const T viscous = max(r, T(r * r)), solid = physical ? T(0.0) : stiff ? T(r * r) : viscous;
+      resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * select(element.shear_modulus > 0.0, solid, viscous);
     }
     if constexpr (requires { material.intact(state.material); }) resistance *= material.intact(state.material);
     return resistance;
@@ -204,7 +222,27 @@ struct Hex8 {
                0.125 * shrinkage * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
   }
 
-  static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;
+  static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>,
+                        physical = std::same_as<Hourglass, PhysicalHourglass>;
+
+  /// The shear modulus on which a control may count: none of a solid that has become a fluid.
+  template <class State, class T>
+  static T solid_shear(const State& state, const T& G) {
+    if constexpr (requires { state.solid; })
+      return select(state.solid > 0.0, G, T(0.0));
+    else
+      return (void)state, G;
+  }
+
+  /// What a control that flows with its material must know from before the step.
+  template <class M, class State, class T>
+  static auto flow_meter(const M& material, const State& state, const SolidKinematics::Rate<T>& rate, const T& G,
+                         double dt) {
+    if constexpr (physical)
+      return detail::FlowMeter<M, T>(material, state, rate, G, dt);
+    else
+      return (void)material, (void)state, (void)rate, (void)G, (void)dt, 0;
+  }
 };
 
 Hex8() -> Hex8<>;

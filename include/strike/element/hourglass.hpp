@@ -44,8 +44,15 @@ struct ViscousHourglass {
   }
 };
 
+namespace detail {
+template <class Condition, class T>
+Vector3<T> selected(const Condition& c, const Vector3<T>& a, const Vector3<T>& b) {
+  return {select(c, a(0), b(0)), select(c, a(1), b(1)), select(c, a(2), b(2))};
+}
+}  // namespace detail
+
 /// Resistance against the hourglass modes themselves, dQ/dt = k qdot with k = kappa 2 G B:B/(8 V) (Flanagan and
-/// Belytschko 1981).
+/// Belytschko 1981). A fluid, which has no shear modulus, gets ViscousHourglass.
 struct StiffnessHourglass {
   double coefficient = 0.005;  ///< kappa, usually 0.001 to 0.01
 
@@ -66,7 +73,12 @@ struct StiffnessHourglass {
   HourglassModes<T> resistance(State<T>& state, const HourglassElement<T>& e, const HourglassModes<T>& rates) const {
     const T k = stiffness(e) * e.dt;
     for (std::size_t i = 0; i < 4; ++i) state.resistance[i] = state.resistance[i] + k * rates[i];
-    return state.resistance;
+    HourglassModes<T> Q = state.resistance;
+    if (const auto fluid = !(e.shear_modulus > 0.0); any(fluid)) {
+      const T a = ViscousHourglass{}.damping(e);
+      for (std::size_t i = 0; i < 4; ++i) Q[i] = detail::selected(fluid, Vector3<T>(a * rates[i]), Q[i]);
+    }
+    return Q;
   }
   /// Work done against the mean of the resistances before and after the step.
   template <class T>
@@ -79,7 +91,7 @@ struct StiffnessHourglass {
   /// One over the largest step that this alone allows, half the frequency sqrt(k |Lambda|^2/m).
   template <class T>
   T critical_rate(const HourglassElement<T>& e) const {
-    return sqrt(16.0 * stiffness(e) * e.per_mass);
+    return select(e.shear_modulus > 0.0, sqrt(16.0 * stiffness(e) * e.per_mass), ViscousHourglass{}.critical_rate(e));
   }
 };
 

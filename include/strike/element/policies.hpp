@@ -13,6 +13,7 @@
 namespace strike {
 
 struct NoHourglass;
+struct PhysicalHourglass;
 struct NoPlateHourglass;
 struct FreeDrilling;
 struct ElementPressure;
@@ -23,8 +24,10 @@ template <class T>
 struct HourglassElement {
   T density, volume, edge, per_mass;  ///< edge: V^(1/3); per_mass: 1/(rho V)
   T wave_modulus, shear_modulus;      ///< rho c^2 and G [stress]
-  T gradient_squared;                 ///< B_iI B_iI/V^2 [1/length^2]
   T dt;                               ///< of the step [time]
+  SymmetricTensor<T> gradient;        ///< S_ij = B_iI B_jI/V^2 [1/length^2]
+  T gradient_squared;                 ///< tr S
+  T gradient_eigenvalue;              ///< the largest of S
 };
 
 /// Hourglass control of a hexahedron with one point.
@@ -38,15 +41,16 @@ struct HourglassElement {
 /// 5. `State::spatial_tensors()`: a tuple of references to what the element turns.
 /// 6. `stiffness(element)`: of a control by stiffness; one without is viscous.
 /// Laws: no work on linear fields, where the rates vanish; no energy is created.
-/// Models: ViscousHourglass, StiffnessHourglass; NoHourglass is the absence of one.
+/// Models: ViscousHourglass, StiffnessHourglass; NoHourglass is the absence of one. PhysicalHourglass, which flows with
+/// the material, is known to Hex8.
 template <class H>
-concept HourglassControl =
-    std::same_as<H, NoHourglass> || requires(const H control, typename H::template State<double> state,
-                                             const HourglassElement<double> e, const HourglassModes<double> q) {
-      { control.resistance(state, e, q) } -> std::convertible_to<HourglassModes<double>>;
-      { control.work(e, q, q) } -> std::convertible_to<double>;
-      { control.critical_rate(e) } -> std::convertible_to<double>;
-    };
+concept HourglassControl = std::same_as<H, NoHourglass> || std::same_as<H, PhysicalHourglass> ||
+                           requires(const H control, typename H::template State<double> state,
+                                    const HourglassElement<double> e, const HourglassModes<double> q) {
+                             { control.resistance(state, e, q) } -> std::convertible_to<HourglassModes<double>>;
+                             { control.work(e, q, q) } -> std::convertible_to<double>;
+                             { control.critical_rate(e) } -> std::convertible_to<double>;
+                           };
 
 namespace detail {
 struct ControlStiffness {

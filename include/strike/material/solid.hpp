@@ -140,6 +140,25 @@ struct Solid {
     return {strike::bulk_modulus<Eos, State<T>, T>(eos, state, J, pressure), shear_modulus(state, J)};
   }
 
+  /// The flow stress at the plastic strain of the state and this rate of it [1/time].
+  template <class T>
+    requires(FlowLaw<S> || detail::HasYieldRadius<S>)
+  T flow_stress(const State<T>& state, [[maybe_unused]] const T& rate) const {
+    if constexpr (FlowLaw<S>)
+      return detail::flow_stress<S, T>(strength, state, state.equivalent_plastic_strain, rate);
+    else
+      return strength.yield_radius(state);
+  }
+  static constexpr bool flow_depends_on_rate = FlowLaw<S> && !RateIndependentFlow<S>;
+
+  /// Books plastic flow at a flow stress that an element knows of beside that of the mean stress.
+  template <class T>
+    requires requires(State<T> state) { state.equivalent_plastic_strain; }
+  void flow(State<T>& state, const T& increment, [[maybe_unused]] const T& flow_stress) const {
+    state.equivalent_plastic_strain += increment;
+    if constexpr (ThermalFlow<S>) state.temperature_rise += strength.heating * flow_stress * increment;
+  }
+
   template <class T>
     requires detail::has_intact<State<T>>
   T intact(const State<T>& state) const {

@@ -32,6 +32,11 @@ struct KinematicHardening {
   };
 
   template <class T>
+  T yield_radius(const State<T>& state) const {
+    return yield_stress + (isotropic_share * hardening_modulus) * state.equivalent_plastic_strain;
+  }
+
+  template <class T>
   SymmetricTensor<T> deviatoric_stress(State<T>& state, const SymmetricTensor<T>& s, const SymmetricTensor<T>& d,
                                        const T&, double) const {
     auto& [e, a] = state;

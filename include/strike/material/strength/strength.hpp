@@ -27,6 +27,8 @@ namespace strike {
 /// 5. `State::spatial_tensors()`: a tuple of references to what the element turns.
 /// 6. `warning()`: a text for the user, empty if there is nothing to say.
 /// 7. `ranges(number)`: what its numbers may be (strike/range.hpp).
+/// 8. Of a strength with memory whose state has an `equivalent_plastic_strain`: `yield_radius(state)`, the flow stress
+///    by which PhysicalHourglass yields.
 /// Laws: the flow stress is not negative and does not fall with the rate; the stress does no negative plastic work.
 /// Models: VonMises, RateVonMises, PowerHardening, TabulatedHardening, CowperSymonds, JohnsonCook, ZerilliArmstrong,
 /// Sensitive (a); ElasticStrength (b); KinematicHardening, Prony, MooneyRivlin (c).
@@ -108,6 +110,12 @@ constexpr auto strength_memory() {
   else
     return NoPlasticity{};
 }
+
+/// A strength with memory that tells the radius of its yield surface.
+template <class S>
+concept HasYieldRadius = requires(const S law, const typename S::template State<double> state) {
+  { law.yield_radius(state) } -> std::convertible_to<double>;
+};
 
 /// A number without its derivatives.
 template <class T>
