@@ -119,6 +119,7 @@ TEST_CASE("the resistance of a hexahedron is its stiffness and its damping, of a
     check(Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}}, still);
     check(Hex8{ViscousHourglass{0.2}, HughesWinget{}, NoBulkViscosity{}}, still);
     check(Hex8{StiffnessHourglass{0.1}, HughesWinget{}, NoBulkViscosity{}}, still);
+    check(Hex8{PhysicalHourglass{}, HughesWinget{}, NoBulkViscosity{}}, still);
   }
 }
 

@@ -56,6 +56,7 @@ static_assert(sizeof(Plain::State<Metal, D8>) == 8 * d8);
 static_assert(sizeof(Hex8<>::State<Metal, D8>) == 9 * d8);
 static_assert(sizeof(Hex8<ViscousHourglass, HughesWinget, NoBulkViscosity>::State<Metal, D8>) == 8 * d8);
 static_assert(sizeof(Hex8<StiffnessHourglass>::State<Metal, D8>) == 21 * d8);
+static_assert(sizeof(Hex8<PhysicalHourglass>::State<Metal, D8>) == 21 * d8);
 static_assert(std::is_empty_v<NoHourglass::State<D8>> && std::is_empty_v<ViscousHourglass::State<D8>>);
 static_assert(std::is_empty_v<NoBulkViscosity::State<D8>>);
 static_assert(sizeof(Hex8<ViscousHourglass, Jaumann, BulkViscosity, EndStep>::State<Metal, D8>) == 9 * d8);

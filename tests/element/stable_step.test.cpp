@@ -131,6 +131,7 @@ TEST_CASE("the stable step is safe with every hourglass control, at rest and wit
   for (const double Q : {0.05, 0.1, 0.15}) check(Hex8{ViscousHourglass{Q}});
   check(Hex8{ViscousHourglass{0.5}}, 1. / 4);
   for (const double kappa : {0.005, 0.05, 0.5}) check(Hex8{StiffnessHourglass{kappa}});
+  check(Hex8{PhysicalHourglass{}});
   check(Hex8Full{});
 }
 

@@ -26,6 +26,7 @@ void knows_its_step(const E& element) {
 TEST_CASE("D18: the stable step of bricks 1:1:1e-4 and 1:1e-4:1e-4 is within 1.16 of the exact one") {
   knows_its_step(Hex8{ViscousHourglass{}, HughesWinget{}, NoBulkViscosity{}});
   knows_its_step(Hex8{StiffnessHourglass{}, HughesWinget{}, NoBulkViscosity{}});
+  knows_its_step(Hex8{PhysicalHourglass{}, HughesWinget{}, NoBulkViscosity{}});
   knows_its_step(Hex8Full{HughesWinget{}, NoBulkViscosity{}});
 }
 
