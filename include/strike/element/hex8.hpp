@@ -149,8 +149,12 @@ struct Hex8 {
       const auto answer = hourglass.advance(state.hourglass, element, m, u, rates, turn(rates[3]), flow,
                                             detail::Yield<M, T>(material, state.material, rate, before.shear));
       Q = answer.resistance, response.hourglass_work = answer.work, hourglass_rate = hourglass.critical_rate(element);
-      if constexpr (requires { material.flow(state.material, V, V); })
-        material.flow(state.material, answer.plastic_increment, answer.flow_stress);
+      if constexpr (requires { material.flow(state.material, V, V, V); }) {
+        const SymmetricTensor<T> returned = (1.0 - answer.kept) * flow.deviator;
+        sigma = sigma - returned;
+        response.internal_work -= 0.5 * dt * V * double_dot(returned, rate.rate_of_deformation);
+        material.flow(state.material, answer.kept, answer.plastic_increment, answer.flow_stress);
+      }
     }
     sigma += SymmetricTensor<T>::isotropic(-q);
 

@@ -150,6 +150,7 @@ struct PhysicalHourglass {
   struct Answer {
     HourglassModes<T> resistance;
     T work;               ///< done against it in the step [energy]
+    T kept;               ///< share of the mean deviator that the joint return leaves
     T plastic_increment;  ///< of the equivalent plastic strain, beside the flow of the mean
     T flow_stress;        ///< at which that is
   };
@@ -206,7 +207,10 @@ struct PhysicalHourglass {
     bilinear_power += dot(d_rate, b) + 2.0 * delay * dot(d_rate, bilinear_rate);
     Answer<T> answer{.resistance = edges.resistance(e.volume, edges.sum(S, delay, stress_rate)),
                      .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power),
-                     .plastic_increment = select(solid, (1.0 - c) * 0.75 * q_squared * per_E / Y, T(0.0)),
+                     .kept = select(solid, c, T(1.0)),
+                     .plastic_increment = select(
+                         solid, (1.0 - c) * (0.75 * q_squared * per_E + flow.equivalent * flow.equivalent / (3.0 * G)) / Y,
+                         T(0.0)),
                      .flow_stress = Y};
     answer.resistance[3] = e.volume * (b + delay * bilinear_rate);
     if (any(!solid)) {

@@ -151,10 +151,14 @@ struct Solid {
   }
   static constexpr bool flow_depends_on_rate = FlowLaw<S> && !RateIndependentFlow<S>;
 
-  /// Books plastic flow at a flow stress that an element knows of beside that of the mean stress.
+  /// Plastic flow beyond that of the mean stress, of which an element knows: the deviator returns to the share `kept` of
+  /// its distance from the centre of the yield surface, the plastic strain grows by the increment at the flow stress.
   template <class T>
     requires requires(State<T> state) { state.equivalent_plastic_strain; }
-  void flow(State<T>& state, const T& increment, [[maybe_unused]] const T& flow_stress) const {
+  void flow(State<T>& state, const T& kept, const T& increment, [[maybe_unused]] const T& flow_stress) const {
+    SymmetricTensor<T> from_centre = deviator(state.stress);
+    if constexpr (requires { state.back_stress; }) from_centre = from_centre - state.back_stress;
+    state.stress = state.stress - (1.0 - kept) * from_centre;
     state.equivalent_plastic_strain += increment;
     if constexpr (ThermalFlow<S>) state.temperature_rise += strength.heating * flow_stress * increment;
   }
