@@ -27,6 +27,7 @@ Group elements() {
   constexpr BulkViscosity viscosity;
   return {"Element",
           {hexahedra.of_element("no hourglass control", Hex8{NoHourglass{}}),
+           hexahedra.of_element("physical hourglass control", Hex8{PhysicalHourglass{}}),
            hexahedra.of_element("stiffness hourglass control", Hex8{StiffnessHourglass{}}),
            hexahedra.of_element("Jaumann", Hex8{hourglass, Jaumann{}}),
            hexahedra.of_element("end of step", Hex8{hourglass, HughesWinget{}, viscosity, EndStep{}}),

@@ -31,6 +31,7 @@ constexpr auto step_factors = [](auto& cases) {
 };
 
 constexpr auto hourglass_controls = [](auto& cases) {
+  cases.add("physical hourglass", Hex8{PhysicalHourglass{}});
   cases.add("no hourglass control", Hex8{NoHourglass{}});
   cases.add("viscous hourglass 0.05", Hex8{ViscousHourglass{.coefficient = 0.05}});
   cases.add("stiffness hourglass 0.001", Hex8{StiffnessHourglass{.coefficient = 0.001}});

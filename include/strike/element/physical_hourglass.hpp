@@ -126,12 +126,11 @@ class MeanEdges {
 /// inverse of the metric G_ij = a_i . a_j of the plane. In a brick that is the control of Belytschko and Bindeman
 /// (1993) and of Puso (2000).
 ///
-/// In a step with plastic flow the mean s flows radially, and they with it:
-///   1. the return leaves of them what it leaves of the mean, r = q/q_trial;
-///   2. of their part along n_ij = a_i . s a_j, which makes the yield function linear along k, is taken as much as a
-///      multiplier of the flow can that is linear along k and not negative at the points -+1/sqrt(3).
-/// In any step they are held to q^2 + 4/9 (q_1^2 + q_2^2 + q_3^2) <= Y^2, q_k the equivalent of S_k, by which a layer
-/// has its exact plastic moment; what that takes hardens the material.
+/// They flow together with the mean deviator s, radially to the joint yield surface
+///   q^2 + 4/9 (q_1^2 + q_2^2 + q_3^2) = Y^2,   q_k the equivalent of S_k,
+/// by which a layer has its exact plastic moment; the material hardens by the work that this takes. Of their part along
+/// n_ij = a_i . s a_j, which makes the yield function linear along k, is taken moreover as much as a multiplier of the
+/// flow can that is linear along k and not negative at the points -+1/sqrt(3).
 ///
 /// A material without shear modulus, a fluid or what has become one, gets ViscousHourglass.
 struct PhysicalHourglass {
@@ -182,35 +181,32 @@ struct PhysicalHourglass {
     T linear_power = edges.contracted(strain_rate, S), bilinear_power = dot(d_rate, b);  // before the step and after
     S = edges.sum(S, e.dt, stress_rate), b = b + e.dt * bilinear_rate;
 
-    const auto flows = flow.relaxed > 0.0;
-    if (any(flows)) {
-      const T kept = flow.kept(), most = std::numbers::sqrt3 * flow.relaxed / flow.equivalent;
+    const auto flows = flow.relaxed > 0.0, solid = e.shear_modulus > 0.0;
+    const T left = flow.kept(), q_squared = T(4.0 / 9.0) * left * left * edges.equivalent_squared(S);
+    const T mean_squared = flow.equivalent * flow.equivalent, all_squared = mean_squared + q_squared;
+    const T Y = yield(flows, flow.equivalent, all_squared,
+                      [&]() -> T { return T(4.0 / 9.0) * edges.equivalent_squared(stress_rate); });
+    const T joint = select(solid, min(T(1.0), Y * rsqrt(all_squared)), T(1.0));
+    const T kept = select(solid, left * joint, T(0.0));
+    for (PlaneTensor<T>& S_k : S) S_k = kept * S_k;
+    b = kept * b;
+    if (any(solid && kept < 1.0)) {
       const auto n = edges.covariant(flow.deviator), C_n = edges.stress(mu, n);
-      b = kept * b;
+      const T least = T(detail::least_square<T>), most = std::numbers::sqrt3 * (1.0 / max(least, kept) - 1.0);
       for (std::size_t k = 0; k < 3; ++k) {
-        const T along = kept * double_dot(n[k], S[k]) / max(T(detail::least_square<T>), double_dot(n[k], C_n[k]));
-        S[k] = kept * S[k] - T(max(T(-most), min(most, along))) * C_n[k];
+        const T along = double_dot(n[k], S[k]) / max(least, double_dot(n[k], C_n[k]));
+        S[k] = S[k] - T(max(T(-most), min(most, along))) * C_n[k];
       }
     }
 
-    const T q_squared = T(4.0 / 9.0) * edges.equivalent_squared(S);
-    const T all_squared = flow.equivalent * flow.equivalent + q_squared;
-    const T Y = yield(flows, flow.equivalent, all_squared,
-                      [&]() -> T { return T(4.0 / 9.0) * edges.equivalent_squared(stress_rate); });
-    const T M = e.wave_modulus, G = e.shear_modulus, per_E = (M - G) / (G * (3.0 * M - 4.0 * G));
-    const auto solid = G > 0.0;
-    const T c = select(solid, min(T(1.0), Y * rsqrt(all_squared)), T(0.0));
-    for (PlaneTensor<T>& S_k : S) S_k = c * S_k;
-    b = c * b;
-
     linear_power += edges.contracted(strain_rate, S) + 2.0 * delay * edges.contracted(strain_rate, stress_rate);
     bilinear_power += dot(d_rate, b) + 2.0 * delay * dot(d_rate, bilinear_rate);
+    const T M = e.wave_modulus, G = e.shear_modulus, per_E = (M - G) / (G * (3.0 * M - 4.0 * G));
+    const T released = (1.0 - joint) * (0.75 * per_E * q_squared + mean_squared / (3.0 * G));  // energy per volume
     Answer<T> answer{.resistance = edges.resistance(e.volume, edges.sum(S, delay, stress_rate)),
                      .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power),
-                     .kept = select(solid, c, T(1.0)),
-                     .plastic_increment = select(
-                         solid, (1.0 - c) * (0.75 * q_squared * per_E + flow.equivalent * flow.equivalent / (3.0 * G)) / Y,
-                         T(0.0)),
+                     .kept = joint,
+                     .plastic_increment = select(solid, released / Y, T(0.0)),
                      .flow_stress = Y};
     answer.resistance[3] = e.volume * (b + delay * bilinear_rate);
     if (any(!solid)) {

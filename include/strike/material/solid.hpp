@@ -151,8 +151,9 @@ struct Solid {
   }
   static constexpr bool flow_depends_on_rate = FlowLaw<S> && !RateIndependentFlow<S>;
 
-  /// Plastic flow beyond that of the mean stress, of which an element knows: the deviator returns to the share `kept` of
-  /// its distance from the centre of the yield surface, the plastic strain grows by the increment at the flow stress.
+  /// Plastic flow beyond that of the mean stress, of which an element knows: the deviator returns to the share `kept`
+  /// of its distance from the centre of the yield surface, the plastic strain grows by the increment at the flow
+  /// stress.
   template <class T>
     requires requires(State<T> state) { state.equivalent_plastic_strain; }
   void flow(State<T>& state, const T& kept, const T& increment, [[maybe_unused]] const T& flow_stress) const {
