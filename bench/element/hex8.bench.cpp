@@ -68,7 +68,8 @@ template <class T, class Hourglass>
 void hourglass(benchmark::State& bench, const Hourglass& control) {
   const Bricks<T> bricks;
   std::vector<typename Hourglass::template State<T>> states(bricks.x.size());
-  const HourglassElement<T> element{T(8930.0), T(1e-9), T(1e-3), T(1.1e5), T(190e9), T(43.3e9), T(1.5e6), T(dt)};
+  const HourglassElement<T> element{T(8930.0), T(1e-9), T(1e-3), T(1.1e5), T(190e9),
+                                    T(43.3e9), T(dt),   {},      T(1.5e6), T(5e5)};
   for (auto _ : bench) {
     T sum = T(0.0);
     for (std::size_t b = 0; b < bricks.v.size(); ++b) {

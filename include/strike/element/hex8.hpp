@@ -116,8 +116,9 @@ struct Hex8 {
     HourglassModes<T> Q{none, none, none, none};
     T hourglass_rate = T(0.0);
     const T per_mass = (1.0 / density_of(material)) * state.inverse_volume;
-    const HourglassElement<T> element{rho,          V,     edge,          per_mass,        before.wave(),
-                                      before.shear, T(dt), shrinkage * S, stability.trace, stability.eigenvalue};
+    const T control_shear = solid_shear(state.material, before.shear);
+    const HourglassElement<T> element{rho,           V,     edge,          per_mass,        before.wave(),
+                                      control_shear, T(dt), shrinkage * S, stability.trace, stability.eigenvalue};
     // (m_k(n+1) - m_k(n))/dt - L m_k, L at the end, is a rate at the start of the step.
     const auto rates_from = [&](const auto& carried) -> HourglassModes<T> {
       return {carried(minus_times(u.b1, L, m.b1)), carried(minus_times(u.b2, L, m.b2)),
