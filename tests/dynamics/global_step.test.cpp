@@ -153,6 +153,7 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: Taylor bar
   check(Hex8{}, 1, 16);
   check(Hex8{}, 2, 12);
   check(Hex8{StiffnessHourglass{0.01}}, 1, 16);
+  check(Hex8{PhysicalHourglass{}}, 1, 16);
   check(Hex8{ViscousHourglass{0.02}, HughesWinget{}, NoBulkViscosity{}}, 1, 16);
 }
 
@@ -173,6 +174,7 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: distorted 
   };
   for (const double nu : {0.0, 0.3, 0.499}) check(Hex8{}, Elastic{1, 1, nu});
   check(Hex8{StiffnessHourglass{0.05}}, testing::metal);
+  check(Hex8{PhysicalHourglass{}}, testing::metal);
   check(Hex8{ViscousHourglass{0.3}, Jaumann{}, BulkViscosity{}, EndStep{}}, gruneisen);
 }
 
