@@ -87,7 +87,7 @@ class Yield {
   T operator()(const Flows& flows, const T& q, const T& squared, F hourglass_rate_squared) const {
     if constexpr (requires { material_.flow_stress(state_, G_); }) {
       T Y = material_.flow_stress(state_, T(0.0));
-      if constexpr (M::flow_depends_on_rate) {
+      if constexpr (!is_rate_independent) {
         if (any(!flows && squared > Y * Y)) {
           const SymmetricTensor<T> D = deviator(rate_.rate_of_deformation);
           const T hourglass = hourglass_rate_squared() / (9.0 * G_ * G_);
@@ -101,6 +101,7 @@ class Yield {
   }
 
  private:
+  static constexpr bool is_rate_independent = requires { requires M::flow_is_rate_independent; };
   const M& material_;
   const State& state_;
   const SolidKinematics::Rate<T>& rate_;

@@ -149,7 +149,7 @@ struct Solid {
     else
       return strength.yield_radius(state);
   }
-  static constexpr bool flow_depends_on_rate = FlowLaw<S> && !RateIndependentFlow<S>;
+  static constexpr bool flow_is_rate_independent = !FlowLaw<S> || RateIndependentFlow<S>;
 
   /// Plastic flow beyond that of the mean stress, of which an element knows: the deviator returns to the share `kept`
   /// of its distance from the centre of the yield surface, the plastic strain grows by the increment at the flow
