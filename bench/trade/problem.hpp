@@ -85,5 +85,6 @@ Problem twist();
 Problem pane();
 Problem bars();
 Problem bird();
+std::vector<Problem> bending();
 
 }  // namespace trade

@@ -7,7 +7,9 @@
 //   build/bench/bench/trade problem=taylor
 //
 // Written into out/trade: trade.csv, trade.md, and a picture for each problem.
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 
 #include "report.hpp"
@@ -57,6 +59,7 @@ int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     std::vector<std::string> names{"all"};
     std::vector<Problem> problems{taylor(), beam(), waves(), spin(), panel(), twist(), pane(), bars(), bird()};
+    std::ranges::move(bending(), std::back_inserter(problems));
     for (const Problem& problem : problems) names.push_back(problem.name);
     const std::string chosen = options.choice("problem", names);
     const std::size_t meshes = options.count("meshes", 3);
