@@ -1,7 +1,11 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include <strike/dynamics/scene.hpp>
 #include <strike/each_of.hpp>
@@ -9,6 +13,7 @@
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/order.hpp>
 #include <strike/range.hpp>
+#include <strike/text.hpp>
 
 namespace strike::detail {
 
@@ -18,40 +23,67 @@ struct Arrangement {
   std::vector<Index> nodes;               ///< the numbers of the nodes in the order in which the elements name them
 };
 
-/// Errors: a node whose position is not finite; a number of an item out of its range; a part without elements; an
-/// element that names a node that is not there.
+/// Error: a node whose position is not finite.
+[[gnu::cold]] inline void check_positions(const std::vector<Eigen::Vector3d>& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!nodes[i].allFinite())
+      throw Error(joined(
+          {"strike: node ", std::to_string(i), " is at ", text(nodes[i]), "; give it coordinates that are finite."}));
+}
+
+/// Makes an arrangement part by part.
+class Arranger {
+ public:
+  explicit Arranger(const std::vector<Eigen::Vector3d>& nodes) : nodes_(nodes), named_(nodes.size(), false) {}
+
+  /// Errors: a part without elements; an element that names a node that is not there.
+  template <class Cells>
+  void add(const Cells& cells) {
+    const std::string part = number_of_next_part();
+    if (cells.empty()) throw Error(joined({"strike: part ", part, " has no elements; give it cells."}));
+    for (std::size_t e = 0; e < cells.size(); ++e)
+      for (const Index node : cells[e])
+        if (node >= nodes_.size()) refuse(part, e, node);
+    made_.cells.push_back(locality_order(nodes_, cells));
+    for (const Index e : made_.cells.back())
+      for (const Index node : cells[e]) name(node);
+  }
+  std::string number_of_next_part() const { return std::to_string(made_.cells.size()); }
+  /// With the nodes behind that no element names.
+  Arrangement finished() {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) name(static_cast<Index>(i));
+    return std::move(made_);
+  }
+
+ private:
+  void name(Index node) {
+    if (!named_[node]) named_[node] = true, made_.nodes.push_back(node);
+  }
+  [[noreturn, gnu::cold]] void refuse(const std::string& part, std::size_t element, Index node) const {
+    throw Error(
+        joined({"strike: element ", std::to_string(element), " of part ", part, " names node ", std::to_string(node),
+                ", but there are ", std::to_string(nodes_.size()), " nodes; correct its connectivity."}));
+  }
+
+  const std::vector<Eigen::Vector3d>& nodes_;
+  std::vector<bool> named_;
+  Arrangement made_;
+};
+
+/// Errors: those of check_positions and Arranger; a number of an item out of its range.
 template <class... Items>
 Arrangement arrange(const Scene<Items...>& scene) {
-  Arrangement arrangement;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-    if (!scene.nodes[i].allFinite())
-      throw Error(joined({"strike: node ", std::to_string(i), " is at ", text(scene.nodes[i]),
-                          "; give it coordinates that are finite."}));
-  std::vector<bool> named(scene.nodes.size(), false);
-  const auto name = [&](Index node) {
-    if (!named[node]) named[node] = true, arrangement.nodes.push_back(node);
-  };
-  const auto place = [&](const auto& item) {
-    if constexpr (!is_part<std::decay_t<decltype(item)>>) {
-      check_ranges(item);
+  check_positions(scene.nodes);
+  Arranger arranger(scene.nodes);
+  each_of(scene.items, [&](const auto& item) {
+    if constexpr (is_part<std::decay_t<decltype(item)>>) {
+      check_ranges(item, joined({", in part ", arranger.number_of_next_part(), ","}));
+      arranger.add(item.cells);
     } else {
-      const std::string part = std::to_string(arrangement.cells.size());
-      check_ranges(item, joined({", in part ", part, ","}));
-      if (item.cells.empty()) throw Error(joined({"strike: part ", part, " has no elements; give it cells."}));
-      for (std::size_t e = 0; e < item.cells.size(); ++e)
-        for (const Index node : item.cells[e])
-          if (node >= scene.nodes.size())
-            throw Error(
-                joined({"strike: element ", std::to_string(e), " of part ", part, " names node ", std::to_string(node),
-                        ", but there are ", std::to_string(scene.nodes.size()), " nodes; correct its connectivity."}));
-      arrangement.cells.push_back(locality_order(scene.nodes, item.cells));
-      for (const Index e : arrangement.cells.back())
-        for (const Index node : item.cells[e]) name(node);
+      check_ranges(item);
     }
-  };
-  each_of(scene.items, place);
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) name(static_cast<Index>(i));
-  return arrangement;
+  });
+  return arranger.finished();
 }
 
 }  // namespace strike::detail

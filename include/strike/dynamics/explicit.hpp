@@ -154,9 +154,9 @@ class Explicit : public detail::RunningScene<Method, Items...> {
         damping_(method.damping),
         cycle_(method.cycle),
         kinetic_(detail::chunks(this->nodes_.size())) {
-    this->check_masses();
-    this->complete_inertia();
-    moved_by_rounding_ = this->moved_by_rounding();
+    detail::check_masses(this->nodes_);
+    detail::complete_inertia(this->nodes_);
+    moved_by_rounding_ = detail::moved_by_rounding(this->nodes_);
     this->begin_items();
     ledger_.kinetic = detail::kinetic_energy(this->nodes_);
     ledger_.internal.book(this->stored_energy());

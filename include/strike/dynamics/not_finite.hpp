@@ -1,14 +1,17 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/dynamics/item.hpp>
 #include <strike/each_of.hpp>
+#include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/nodes.hpp>
@@ -25,126 +28,97 @@ template <class Nodes>
   return joined({"node ", std::to_string(i), " at ", text(Eigen::Vector3d(nodes.x(i).template cast<double>()))});
 }
 
-/// Finds who has made the numbers of a run wrong, when it has to be given up: each item is tried alone, on nodes at
-/// rest or without forces, which then are as before.
-template <class Nodes, class Items>
-class Culprit {
+/// The nodes of a run that has to be given up, on which one item at a time is tried. Afterwards they are as before.
+/// Nothing here depends on the other items of the scene, so that scenes share it.
+template <class Nodes>
+class TriedNodes {
  public:
-  Culprit(Nodes& nodes, Items& items, const Step& step, double time)
-      : nodes_(nodes), items_(items), step_(step), time_(time) {}
+  explicit TriedNodes(Nodes& nodes) : nodes_(nodes) {}
 
-  /// A sentence on a number that is NaN, at the first place on its way through a step; empty: there is none.
-  std::string of_nan() {
-    if (!is_any_nan()) return {};
-    for (const auto& found : {of_conditions(), of_loads(), of_elements(), of_nodes()})
-      if (!found.empty()) return found;
-    return {};
-  }
-  /// The same if a position is not finite; an element that is inverted may spoil its own state.
-  std::string of_lost_position() { return has_positions() ? std::string{} : of_nan(); }
-  /// A load that tells another power than that of its forces; empty: there is none.
-  std::string of_power() {
-    std::string found;
-    each_load([&](auto& item, const std::string& name) {
-      if (!found.empty()) return;
-      const double power = power_of_forces(), told = item.power(std::as_const(nodes_));
-      if (std::abs(power - told) > 1e-3 * std::max(std::abs(power), std::abs(told)))
-        found = joined({name, " tells the power ", text(told), " where its forces have ", text(power),
-                        ": correct its power(nodes)"});
-    });
-    return found;
-  }
-
- private:
-  using Field = std::decay_t<decltype(std::declval<Nodes&>().force())>;
-
-  bool is_any_nan() const {
+  [[gnu::cold]] bool have_positions() const {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (!of(nodes_.x(i)).allFinite() || of(nodes_.v(i)).hasNaN() || of(nodes_.f(i)).hasNaN()) return true;
-    return !of_elements().empty() || turns_by_nan();
+      if (!of(nodes_.x(i)).allFinite()) return false;
+    return true;
   }
-  bool turns_by_nan() const {
-    if constexpr (Nodes::nodes_turn)
-      for (std::size_t i = 0; i < nodes_.size(); ++i)
+  [[gnu::cold]] bool have_nan() const {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!of(nodes_.x(i)).allFinite() || of(nodes_.v(i)).hasNaN() || of(nodes_.f(i)).hasNaN()) return true;
+      if constexpr (Nodes::nodes_turn)
         if (of(nodes_.w(i)).hasNaN() || of(nodes_.moment(i)).hasNaN()) return true;
+    }
     return false;
   }
 
-  std::string of_conditions() {
+  // Sentences; empty: nothing is wrong.
+  /// A condition, on nodes at rest, that gives a velocity which is not finite.
+  template <class Item>
+  [[gnu::cold]] std::string fault_of_condition(Item& item, std::size_t place, const Step& step) {
     std::string found;
-    each_item([&](auto& item, const std::string& name) {
-      if constexpr (answers<item::Constrain, std::remove_reference_t<decltype(item)>, Nodes, const Step, Ledger>) {
-        Ledger ledger;
-        on_clear_nodes([&] {
-          item::Constrain::call(item, nodes_, step_, ledger);
-          if (found.empty()) found = first(name, "gives the velocity", [&](std::size_t i) { return of(nodes_.v(i)); });
-        });
-      }
-    });
+    if constexpr (answers<item::Constrain, Item, Nodes, const Step, Ledger>) {
+      Ledger ledger;
+      on_clear_nodes([&] {
+        item::Constrain::call(item, nodes_, step, ledger);
+        found = first(name<Item>(place), "gives the velocity", &Nodes::v);
+      });
+    }
     return found;
   }
-  std::string of_loads() {
+  /// A load that gives a force which is not finite.
+  template <class Item>
+  [[gnu::cold]] std::string fault_of_load(Item& item, std::size_t place, double time) {
     std::string found;
-    if (!has_positions()) return found;
-    each_load([&](auto&, const std::string& name) {
-      if (found.empty()) found = first(name, "gives the force", [&](std::size_t i) { return of(nodes_.f(i)); });
-      if constexpr (Nodes::nodes_turn)
-        if (found.empty()) found = first(name, "gives the moment", [&](std::size_t i) { return of(nodes_.moment(i)); });
-    });
+    if constexpr (is_load<Item>)
+      without_forces([&] {
+        item::ApplyLoads::call(item, nodes_, time);
+        found = first(name<Item>(place), "gives the force", &Nodes::f);
+        if constexpr (Nodes::nodes_turn)
+          if (found.empty()) found = first(name<Item>(place), "gives the moment", &Nodes::moment);
+      });
     return found;
   }
-  std::string of_elements() const {
+  /// A load that tells another power than that of its forces.
+  template <class Item>
+  [[gnu::cold]] std::string fault_of_power(Item& item, std::size_t place, double time) {
     std::string found;
-    if (!has_positions()) return found;
-    each_item([&](auto& item, const std::string&) {
-      if constexpr (requires { item.describe_nan(nodes_); }) {
-        if (!found.empty()) return;
-        if (const std::string element = item.describe_nan(nodes_); !element.empty())
-          found = joined({"the state of ", element, " is nan: look at the formulas of its material, ",
-                          class_name<std::decay_t<decltype(item.material())>>(), ", and of its element"});
-      }
-    });
+    if constexpr (is_load<Item>)
+      without_forces([&] {
+        item::ApplyLoads::call(item, nodes_, time);
+        found = false_power(name<Item>(place), item.power(std::as_const(nodes_)));
+      });
     return found;
   }
-  std::string of_nodes() const {
-    const auto say = [&](const char* what, const auto& value) {
-      for (std::size_t i = 0; i < nodes_.size(); ++i)
-        if (const Eigen::Vector3d a = of(value(i)); a.hasNaN())
-          return joined({"the ", what, " of ", describe_node(nodes_, i), " is ", text(a)});
-      return std::string{};
-    };
-    const std::string position = say("position", [&](std::size_t i) { return nodes_.x(i); });
+  /// A part with an element whose state is NaN.
+  template <class Item>
+  [[gnu::cold]] std::string fault_of_elements(const Item& item) const {
+    if constexpr (requires { item.describe_nan(nodes_); })
+      if (const std::string element = item.describe_nan(nodes_); !element.empty())
+        return joined({"the state of ", element, " is nan: look at the formulas of its material, ",
+                       class_name<std::decay_t<decltype(item.material())>>(), ", and of its element"});
+    return {};
+  }
+  /// The nodes' own numbers.
+  [[gnu::cold]] std::string fault() const {
+    const std::string position = first_nan("position", &Nodes::x);
     if (!position.empty()) return position + ": look at the contacts and conditions of your own, which set velocities";
-    const std::string force = say("force", [&](std::size_t i) { return nodes_.f(i); });
+    const std::string force = first_nan("force", &Nodes::f);
     if (!force.empty()) return force + ": look at the formulas of the elements and materials there";
-    const std::string velocity = say("velocity", [&](std::size_t i) { return nodes_.v(i); });
+    const std::string velocity = first_nan("velocity", &Nodes::v);
     if (!velocity.empty()) return velocity + ": look at the contacts and conditions of your own, which set velocities";
     return "a moment or an angular velocity of a node is nan: look at the formulas of the plates and their sections";
   }
 
-  /// f(item, its name).
-  template <class F>
-  void each_item(const F& f) const {
-    std::size_t place = 0;
-    each_of(items_, [&](auto& item) {
-      f(item,
-        joined({"item ", std::to_string(place++), " of the scene, ", class_name<std::decay_t<decltype(item)>>(), ","}));
-    });
-  }
-  /// The same of each load, when its forces alone act on the nodes.
-  template <class F>
-  void each_load(const F& f) {
-    each_item([&](auto& item, const std::string& name) {
-      if constexpr (answers<item::ApplyLoads, std::remove_reference_t<decltype(item)>, Nodes, const double>) {
-        without_forces([&] {
-          item::ApplyLoads::call(item, nodes_, time_);
-          f(item, name);
-        });
-      }
-    });
+ private:
+  using Field = std::decay_t<decltype(std::declval<Nodes&>().force())>;
+  using Value = const typename Nodes::Vector (Nodes::*)(std::size_t) const;
+  template <class Item>
+  static constexpr bool is_load = answers<item::ApplyLoads, Item, Nodes, const double>;
+
+  template <class Item>
+  [[gnu::cold]] static std::string name(std::size_t place) {
+    return joined({"item ", std::to_string(place), " of the scene, ", class_name<Item>(), ","});
   }
   template <class F>
-  void without_forces(const F& f) {
+  [[gnu::cold]] void without_forces(const F& f) {
     const Field force = clear(nodes_.force());
     if constexpr (Nodes::nodes_turn) {
       const Field moment = clear(nodes_.moment());
@@ -156,7 +130,7 @@ class Culprit {
     nodes_.force() = force;
   }
   template <class F>
-  void on_clear_nodes(const F& f) {
+  [[gnu::cold]] void on_clear_nodes(const F& f) {
     without_forces([&] {
       const Field velocity = clear(nodes_.velocity());
       if constexpr (Nodes::nodes_turn) {
@@ -169,25 +143,31 @@ class Culprit {
       nodes_.velocity() = velocity;
     });
   }
-  static Field clear(Field& field) {
+  [[gnu::cold]] static Field clear(Field& field) {
     const Field before = field;
     for (auto& a : field) a = 0;
     return before;
   }
 
-  template <class Value>
-  std::string first(const std::string& name, const char* gives, const Value& value) const {
+  [[gnu::cold]] std::string first(const std::string& name, const char* gives, Value value) const {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (const Eigen::Vector3d a = value(i); !a.allFinite())
+      if (const Eigen::Vector3d a = of((nodes_.*value)(i)); !a.allFinite())
         return joined({name, " ", gives, " ", text(a), " to ", describe_node(nodes_, i), ": correct its numbers"});
     return {};
   }
-  bool has_positions() const {
+  [[gnu::cold]] std::string first_nan(const char* what, Value value) const {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (!of(nodes_.x(i)).allFinite()) return false;
-    return true;
+      if (const Eigen::Vector3d a = of((nodes_.*value)(i)); a.hasNaN())
+        return joined({"the ", what, " of ", describe_node(nodes_, i), " is ", text(a)});
+    return {};
   }
-  double power_of_forces() const {
+  [[gnu::cold]] std::string false_power(const std::string& name, double told) const {
+    const double power = power_of_forces();
+    if (!(std::abs(power - told) > 1e-3 * std::max(std::abs(power), std::abs(told)))) return {};
+    return joined(
+        {name, " tells the power ", text(told), " where its forces have ", text(power), ": correct its power(nodes)"});
+  }
+  [[gnu::cold]] double power_of_forces() const {
     double power = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       power += of(nodes_.f(i)).dot(of(nodes_.v(i)));
@@ -201,6 +181,48 @@ class Culprit {
   }
 
   Nodes& nodes_;
+};
+
+/// Finds who has made the numbers of a run wrong, when it has to be given up: each item is tried alone.
+template <class Nodes, class Items>
+class Culprit {
+ public:
+  Culprit(Nodes& nodes, Items& items, const Step& step, double time)
+      : nodes_(nodes), items_(items), step_(step), time_(time) {}
+
+  /// A sentence on a number that is NaN, at the first place on its way through a step; empty: there is none.
+  [[gnu::cold]] std::string of_nan() {
+    const std::string of_elements =
+        nodes_.have_positions() ? first([&](auto& item, std::size_t) { return nodes_.fault_of_elements(item); }) : "";
+    if (of_elements.empty() && !nodes_.have_nan()) return {};
+    std::string found =
+        first([&](auto& item, std::size_t place) { return nodes_.fault_of_condition(item, place, step_); });
+    if (found.empty() && nodes_.have_positions())
+      found = first([&](auto& item, std::size_t place) { return nodes_.fault_of_load(item, place, time_); });
+    if (found.empty()) found = of_elements;
+    return found.empty() ? nodes_.fault() : found;
+  }
+  /// The same if a position is not finite; an element that is inverted may spoil its own state.
+  [[gnu::cold]] std::string of_lost_position() { return nodes_.have_positions() ? std::string{} : of_nan(); }
+  /// A load that tells another power than that of its forces; empty: there is none.
+  [[gnu::cold]] std::string of_power() {
+    return first([&](auto& item, std::size_t place) { return nodes_.fault_of_power(item, place, time_); });
+  }
+
+ private:
+  /// The first sentence f(item, its place) that is not empty.
+  template <class F>
+  [[gnu::cold]] std::string first(const F& f) {
+    std::string found;
+    std::size_t place = 0;
+    each_of(items_, [&](auto& item) {
+      if (found.empty()) found = f(item, place);
+      ++place;
+    });
+    return found;
+  }
+
+  TriedNodes<Nodes> nodes_;
   Items& items_;
   const Step& step_;
   double time_;

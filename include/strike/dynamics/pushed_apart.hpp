@@ -76,7 +76,7 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
  private:
   OverlapRemoval(const Scene<Items...>& given, Scene<Items...> scene)
       : Running(scene, arrange(scene)), given_(given.items), ways_(given.nodes.size(), Eigen::Vector3d::Zero()) {
-    this->check_masses();
+    check_masses(this->nodes_);
     this->begin_items();  // conditions take directions from the nodes
     this->each_part([&](const auto& part) { parts_.push_back(faces_of(part, this->nodes_)); });
   }

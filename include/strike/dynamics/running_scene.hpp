@@ -27,6 +27,34 @@
 
 namespace strike::detail {
 
+/// Error: a node without mass.
+template <class Nodes>
+[[gnu::cold]] void check_masses(const Nodes& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!(nodes.mass(i) > 0))
+      throw Error(joined({"strike: node ", std::to_string(i), " at ", text(nodes.x(i).template cast<double>()),
+                          " has no mass, for it belongs to no element; remove it."}));
+}
+
+/// Gives nodes that no element turns a moment of inertia.
+template <class Nodes>
+void complete_inertia(Nodes& nodes) {
+  if constexpr (Nodes::nodes_turn)
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!(nodes.inertia(i) > 0)) nodes.add_inertia(i, nodes.mass(i));
+}
+
+/// sum of m spacing^2/2, of nodes that move by the largest spacing of the numbers [energy time^2].
+template <class Nodes>
+double moved_by_rounding(const Nodes& nodes) {
+  double mass = 0, spacing = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    mass += nodes.mass(i);
+    spacing = std::max(spacing, nodes.resolution(i));
+  }
+  return 0.5 * mass * spacing * spacing;
+}
+
 /// A scene at work: its nodes in the numbers of a run and its items, and the ways to reach them.
 template <class Method, class... Items>
 class RunningScene {
@@ -146,28 +174,6 @@ class RunningScene {
       if (slip.empty()) slip = unit_slip(part.number(), wave_speed(part.material()), steps);
     });
     if (!slip.empty()) warnings.push_back(std::move(slip));
-  }
-  /// Error: a node without mass.
-  void check_masses() const {
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (!(nodes_.mass(i) > 0))
-        throw Error(joined({"strike: node ", std::to_string(i), " at ", text(nodes_.x(i).template cast<double>()),
-                            " has no mass, for it belongs to no element; remove it."}));
-  }
-  /// Gives nodes that no element turns a moment of inertia.
-  void complete_inertia() {
-    if constexpr (Nodes::nodes_turn)
-      for (std::size_t i = 0; i < nodes_.size(); ++i)
-        if (!(nodes_.inertia(i) > 0)) nodes_.add_inertia(i, nodes_.mass(i));
-  }
-  /// sum of m spacing^2/2, of nodes that move by the largest spacing of the numbers [energy time^2].
-  double moved_by_rounding() const {
-    double mass = 0, spacing = 0;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      mass += nodes_.mass(i);
-      spacing = std::max(spacing, nodes_.resolution(i));
-    }
-    return 0.5 * mass * spacing * spacing;
   }
   [[gnu::cold]] static void print(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) std::fprintf(stderr, "strike: warning: %s\n", warning.c_str());
