@@ -12,12 +12,12 @@
 #include <strike/ascending.hpp>
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
-#include <strike/contact/coupled_pairs.hpp>
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>
 #include <strike/contact/pairing.hpp>
 #include <strike/contact/plane_contact.hpp>
 #include <strike/contact/policies.hpp>
+#include <strike/contact/rub.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/step.hpp>
@@ -77,7 +77,7 @@ class Contact {
     all_.note(step);
     kappa_ = detail::Press::call(law_, pairs_, all_, step, execution);
     step_ = step;
-    if constexpr (!std::is_same_v<F, Frictionless>) rub(execution);
+    if constexpr (!std::is_same_v<F, Frictionless>) detail::rub(friction_, pairs_, all_, step, execution);
     all_.scatter(nodes, ledger, execution);
     using namespace detail;
     Eigen::Vector3d sum{0, 0, 0};
@@ -149,59 +149,6 @@ class Contact {
  private:
   static constexpr bool closes =
       detail::answers<detail::ClosingStep, detail::MeetingOf<P>, const ContactNodes, double, double>;
-
-  /// Friction against the velocity along the surface that the normal impulses have left: the impulses of all pairs
-  /// follow together, and begin with their friction in the last step, so that what sticks does not creep; without it if
-  /// that would add energy.
-  template <class E>
-  void rub(const E& execution) {
-    using namespace detail;
-    CoupledPairs coupled(pairs_, all_, execution);
-    const Eigen::Vector3d none{0, 0, 0};
-    std::vector<Eigen::Vector3d> impulses(pairs_.size(), none), before(pairs_.size());  // velocities without friction
-    const double fastest = coupled.largest(execution, [&](std::size_t p) {
-      const ContactPair& pair = pairs_[p];
-      before[p] = coupled.velocity(p);
-      if (pair.friction && pair.impulse > 0)
-        impulses[p] = bounded(pair, Eigen::Vector3d(step_.kick() * along(pair, *pair.friction)));
-      return along(pair, before[p]).norm();
-    });
-    coupled.each(execution, [&](std::size_t p) { coupled.give(p, impulses[p]); });
-    const auto settle = [&] {
-      constexpr int iterations = 50;
-      coupled.settle(
-          execution, impulses, 1e-6 * fastest, iterations,
-          [&](std::size_t p) { return Eigen::Vector3d(-along(pairs_[p], coupled.velocity(p))); },
-          [&](std::size_t p, const Eigen::Vector3d& J) {
-            return pairs_[p].impulse > 0 ? bounded(pairs_[p], J) : none;
-          });
-    };
-    settle();
-    double work = 0;
-    for (std::size_t p = 0; p < pairs_.size(); ++p) work += 0.5 * impulses[p].dot(before[p] + coupled.velocity(p));
-    if (work > 0) {
-      coupled.each(execution,
-                   [&](std::size_t p) { coupled.give(p, Eigen::Vector3d(-impulses[p])), impulses[p] = none; });
-      settle();
-    }
-    coupled.end(all_, execution);
-    coupled.each(execution, [&](std::size_t p) {
-      const ContactPair& pair = pairs_[p];
-      for (unsigned i = 0; i < pair.count; ++i) all_.book_drag(pair.nodes[i], pair.weights[i] * impulses[p]);
-      if (pair.friction) *pair.friction = (1 / step_.kick()) * impulses[p];
-    });
-  }
-  /// The part of a vector along the surface.
-  static Eigen::Vector3d along(const ContactPair& pair, const Eigen::Vector3d& a) {
-    using namespace detail;
-    return a - pair.normal.dot(a) * pair.normal;
-  }
-  /// An impulse that would stop the sliding, as far as the friction gives it.
-  Eigen::Vector3d bounded(const ContactPair& pair, const Eigen::Vector3d& stopping) const {
-    using namespace detail;
-    const double stops = stopping.norm();
-    return stops > 0 ? Eigen::Vector3d((friction_.impulse(pair.impulse, stops) / stops) * stopping) : stopping;
-  }
 
   std::vector<std::pair<Index, Eigen::Vector3d>> forces() const {
     using namespace detail;
