@@ -45,6 +45,7 @@ Group plate_materials() {
           {of("elastic", PlaneStress{elastic}),
            of("VonMises, perfectly plastic", PlaneStress{Solid{linear, perfectly_plastic}}),
            of("RateVonMises", PlaneStress{Solid{linear, rate_dependent}}),
+           of("JohnsonCook, with its temperature", PlaneStress{Solid{linear, johnson_cook}}),
            of("FailureStrain", PlaneStress{Solid{linear, hardening, FailureStrain{.failure_strain = 100}}})}};
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <strike/material/elastic.hpp>
 #include <strike/material/eos/linear.hpp>
@@ -92,12 +93,13 @@ void plane_return_by_increment(const S& law, std::span<const State, n> states, s
         next = select(next >= lower && next <= upper, next, 0.5 * (lower + upper));
       }
       const T step = next - p, bend = 0.5 * step * curvature;
-      p = next;
       shear = t + step * y * (slope + bend * ((1.0 - 3.0 * b) - step * slope * (3.0 - 5.0 * b)));
-      mean = shear * p;
+      mean = shear * next;
       plastic_increment =
           dl.value() + dl.derivative(0) * (Q * step * (slope + bend * (1.0 - b) * (1.0 - step * slope)));
-      yields |= any(step * step * step * step > 16.0 * epsilon);
+      const auto open = step * step * step * step > 16.0 * epsilon;
+      p = select(open, next, p);  // a lane that is done repeats its last step, so that it depends on no other
+      yields |= any(open);
     }
   }
 }
@@ -132,10 +134,57 @@ void plane_return_by_root(const S& law, std::span<const State, n> states, std::a
   }
 }
 
+/// The returns at the n points of a layer along the flow curves sigma(dl) of the law. On the surface z = D/sigma with
+/// D = 3 G dl, so that a = sigma + kappa D and b = sigma + D are sigma (1 + kappa z) and sigma (1 + z), and
+///   g = (m/a^2 + d/b^2)^(-1/2) = 1
+/// which rises with dl, and is (sigma + D)/Q in pure shear. A guess is the root of the line in D from the stress before
+/// the step, whose q^2 is given.
+template <FlowLaw Law, class State, class T, std::size_t n>
+void plane_return_by_curve(const Law& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns,
+                           const std::array<T, n>& squares_before, double kappa, double dt) {
+  if (!(dt > 0)) return;
+  using Curve = decltype(flow_curve<T>(law, states[0], dt));
+  const double G3 = 3.0 * law.shear_modulus;
+  auto curves = [&]<std::size_t... k>(std::index_sequence<k...>) {
+    return std::array<Curve, n>{flow_curve<T>(law, states[k], dt)...};
+  }(std::make_index_sequence<n>{});
+  std::array<Search<T>, n> searches;
+  std::array<T, n> m, d, per_stress;  // of Q
+  bool any_yields = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const T Q2 = max(T(least_square<T>), returns[k].d + returns[k].m), per_Q = rsqrt(Q2), Q = Q2 * per_Q;
+    m[k] = returns[k].m * per_Q * per_Q, d[k] = returns[k].d * per_Q * per_Q, per_stress[k] = per_Q;
+    const T at_rest = curves[k].at_rest(), excess = Q - at_rest, most = Q * (1.0 / (G3 * kappa));
+    const T before = max(T(least_square<T>), squares_before[k]), change = Q - before * rsqrt(before);
+    const T guess = select(change > 1e-3 * excess, min(change, excess), excess) / (G3 * (kappa * m[k] + d[k]));
+    const auto yields = excess > 0.0;
+    searches[k] = {yields, select(yields, min(guess, 0.5 * most), 0.5 * most), per_Q * at_rest, most};
+    any_yields |= any(yields);
+  }
+  if (!any_yields) return;
+  const auto measure = [&](std::size_t k, const LogSeries<T>& stress, const T& dl) {
+    const LogSeries<T> sigma = per_stress[k] * stress, D = LogSeries<T>::proportional(G3 * per_stress[k] * dl);
+    const LogSeries<T> a = sigma + T(kappa) * D, b = sigma + D;
+    const T per_ab = 1.0 / (a.c0 * b.c0), per_a = b.c0 * per_ab, per_b = a.c0 * per_ab;
+    return inverse_root((m[k] * per_a * per_a) * inverse_square(per_a * a) +
+                        (d[k] * per_b * per_b) * inverse_square(per_b * b));
+  };
+  const Increments<T, n> found = find_increments<n, T>(curves, searches, measure);
+  for (std::size_t k = 0; k < n; ++k) {
+    const T &sigma = found.stress[k], D = G3 * found.dl[k], a = sigma + kappa * D, b = sigma + D,
+            per_ab = sigma / (a * b);
+    returns[k].mean = select(searches[k].yields, b * per_ab, T(1.0));
+    returns[k].shear = select(searches[k].yields, a * per_ab, T(1.0));
+    returns[k].plastic_increment = found.dl[k];
+  }
+}
+
 template <FlowLaw S, class State, class T, std::size_t n>
-void plane_return(const S& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns, double kappa,
-                  double dt) {
-  if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); })
+void plane_return(const S& law, std::span<const State, n> states, std::array<PlaneReturn<T>, n>& returns,
+                  [[maybe_unused]] const std::array<T, n>& squares_before, double kappa, double dt) {
+  if constexpr (FoundByCurve<S, T>)
+    plane_return_by_curve<S, State, T, n>(law, states, returns, squares_before, kappa, dt);
+  else if constexpr (RateIndependentFlow<S> && requires(T q) { law.plastic_increment(q, q, dt); })
     plane_return_by_increment<S, State, T, n>(law, states, returns, kappa, dt);
   else
     plane_return_by_root<S, State, T, n>(law, states, returns, kappa, dt);
@@ -233,17 +282,19 @@ struct PlaneStress {
     const Parts& parts = detail::LinearSolid<S>::parts(solid);
     const double G = parts.strength.shear_modulus, kappa = mean_factor(parts);
     [[maybe_unused]] std::array<detail::PlaneReturn<T>, n> returns;
-    [[maybe_unused]] std::array<T, n> strains_old;
+    [[maybe_unused]] std::array<T, n> strains_old, squares_before;
     for (std::size_t k = 0; k < n; ++k) {
       PlaneTensor<T>& stress = points[k].stress;
       if constexpr (can_fail<T>) strains_old[k] = detail::plastic_strain<T>(points[k]);
+      if constexpr (detail::FoundByCurve<Law, T>)
+        squares_before[k] = 1.5 * double_dot(stress, stress) - 0.5 * (trace(stress) * trace(stress));
       const PlaneTensor<T> d = T(dt) * detail::rate_if_intact(*this, points[k], rates[k]).rate_of_deformation;
       const T s = trace(stress) + (6.0 * G * kappa) * trace(d), r = stress.xx - stress.yy + (2.0 * G) * (d.xx - d.yy);
       stress = {0.5 * (s + r), 0.5 * (s - r), stress.xy + (2.0 * G) * d.xy};
       if constexpr (FlowLaw<Law>) returns[k] = {.m = 0.25 * s * s, .d = 0.75 * r * r + 3.0 * stress.xy * stress.xy};
     }
     if constexpr (FlowLaw<Law>) {
-      detail::plane_return<Law, State<T>, T, n>(parts.strength, points, returns, kappa, dt);
+      detail::plane_return<Law, State<T>, T, n>(parts.strength, points, returns, squares_before, kappa, dt);
       for (std::size_t k = 0; k < n; ++k) {
         State<T>& state = points[k];
         const detail::PlaneReturn<T>& left = returns[k];

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <utility>
 
 #include <strike/material/strength/strength.hpp>
 #include <strike/range.hpp>
@@ -32,6 +33,42 @@ struct CowperSymonds {
   template <class T>
   T flow_stress(const T& e, const T& rate) const {
     return law.flow_stress(e) * (1.0 + pow(T(rate * (1.0 / D)), 1.0 / p));
+  }
+
+  /// The flow stress of a step, flow_curve.hpp: that of the law times the factor.
+  template <class T>
+  class Curve {
+    using LawCurve = decltype(std::declval<Law>().flow_curve(std::declval<T>(), 1.0));
+
+   public:
+    Curve(const CowperSymonds& law, const T& e, double dt)
+        : law_(law.law.flow_curve(e, dt)), per_dt_(1 / dt / law.D), rate_(1 / law.p) {}
+
+    T at_rest() const { return law_.at_rest(); }
+    void start_at(const T& dl) {
+      law_.start_at(dl);
+      rate_.start_at(T(dl * per_dt_));
+    }
+    void move_to(const T& dl, const T& u) {
+      law_.move_to(dl, u);
+      rate_.move(u);
+    }
+    LogSeries<T> series(const T& dl) const { return law_.series(dl) * (1.0 + rate_.series()); }
+    auto is_smooth(const T& dl, const T& u) const
+      requires detail::HasKinks<LawCurve, T>
+    {
+      return law_.is_smooth(dl, u);
+    }
+
+   private:
+    LawCurve law_;
+    double per_dt_;
+    detail::RatePower<T> rate_;
+  };
+  template <class T>
+    requires detail::HasFlowCurve<Law, T>
+  Curve<T> flow_curve(const T& e, double dt) const {
+    return {*this, e, dt};
   }
 };
 template <class Law>

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/material/strength/flow_curve.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
@@ -23,6 +24,27 @@ struct PowerHardening {
   template <class T>
   T flow_stress(const T& e) const {
     return coefficient * pow(T(initial_strain + e), exponent);
+  }
+
+  /// The flow stress of a step, flow_curve.hpp.
+  template <class T>
+  class Curve {
+   public:
+    Curve(const PowerHardening& law, const T& e)
+        : coefficient_(law.coefficient), power_(T(law.initial_strain + e), law.exponent) {}
+
+    T at_rest() const { return coefficient_ * power_.at_rest(); }
+    void start_at(const T& dl) { power_.move_to(dl); }
+    void move_to(const T& dl, const T&) { power_.move_to(dl); }
+    LogSeries<T> series(const T& dl) const { return T(coefficient_) * power_.series(dl); }
+
+   private:
+    double coefficient_;
+    detail::StrainPower<T> power_;
+  };
+  template <class T>
+  Curve<T> flow_curve(const T& e, double) const {
+    return {*this, e};
   }
 };
 

@@ -1,7 +1,5 @@
 #pragma once
-#include <algorithm>
-#include <limits>
-
+#include <strike/material/strength/flow_curve.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
@@ -30,33 +28,42 @@ struct RateVonMises {
     return (yield_stress + hardening_modulus * e) * (1.0 + rate_factor * pow(rate, rate_exponent));
   }
 
-  /// The rate-independent increment dl0 bounds the root, so that dl = dl0 z^a with z in [0, 1]. With a = max(1/n, 1)
-  /// and b = max(n, 1)
-  ///   f(z) = q - 3 G dl0 z^a - (Y + H (e + dl0 z^a)) (1 + C (dl0/dt)^n z^b)
-  /// is smooth, falling and concave, f(1) <= 0: Newton's steps from z = 1 go down to the root and never past it, at any
-  /// rate.
+  /// The flow stress of a step, flow_curve.hpp.
+  template <class T>
+  class Curve {
+   public:
+    Curve(const RateVonMises& law, const T& e, double dt)
+        : stress_(law.yield_stress + law.hardening_modulus * e),
+          hardening_(law.hardening_modulus),
+          factor_(law.rate_factor),
+          per_dt_(1 / dt),
+          rate_(law.rate_exponent) {}
+
+    T at_rest() const { return stress_; }
+    void start_at(const T& dl) { rate_.start_at(T(dl * per_dt_)); }
+    void move_to(const T&, const T& u) { rate_.move(u); }
+    LogSeries<T> series(const T& dl) const {
+      return (stress_ + LogSeries<T>::proportional(hardening_ * dl)) * (1.0 + T(factor_) * rate_.series());
+    }
+
+   private:
+    T stress_;
+    double hardening_, factor_, per_dt_;
+    detail::RatePower<T> rate_;
+  };
+  template <class T>
+  Curve<T> flow_curve(const T& e, double dt) const {
+    return {*this, e, dt};
+  }
+
+  /// The rate-independent increment bounds that with a rate.
   template <class T>
   T plastic_increment(const T& q, const T& e, double dt) const {
-    using Limits = std::numeric_limits<RealOf<T>>;
     const double G3 = 3.0 * shear_modulus;
     const T quasi_static = yield_stress + hardening_modulus * e;
     const T dl0 = max(T(0.0), q - quasi_static) * (1.0 / (G3 + hardening_modulus));
-    const auto yields = dl0 > 0.0;
-    if (!(dt > 0) || rate_factor == 0 || !any(yields)) return dl0;
-    const double a = std::max(1 / rate_exponent, 1.0), b = std::max(rate_exponent, 1.0);
-    const auto raised = [](const T& z, double n) -> T { return n == 1 ? z : exp(T(n * log(z))); };
-    const T growth = rate_factor * pow(T(dl0 / dt), rate_exponent);
-    const T rounding = T(16.0 * Limits::epsilon()) * q;
-    T z = T(1.0), za = T(1.0), zb = T(1.0);
-    for (int i = 0; i < 50; ++i) {
-      const T sigma = quasi_static + hardening_modulus * dl0 * za;
-      const T f = q - G3 * dl0 * za - sigma * (1.0 + growth * zb);
-      const T slope = (G3 + hardening_modulus * (1.0 + growth * zb)) * dl0 * a * za + sigma * growth * b * zb;  // -z f'
-      z = select(yields, max(T(Limits::min()), z * (1.0 + f / slope)), T(1.0));
-      za = raised(z, a), zb = raised(z, b);
-      if (!any(yields && abs(f) > rounding)) break;
-    }
-    return dl0 * za;
+    if (!(dt > 0) || rate_factor == 0) return dl0;
+    return detail::find_increment(flow_curve(e, dt), q, G3, T(G3 * dl0));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <strike/material/strength/flow_curve.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -23,6 +24,8 @@ namespace strike {
 /// Optional
 /// 3. `plastic_increment(q, e, dt)` of a flow law: its increment of plastic strain in closed form, or a better way to
 ///    it; q is the equivalent of the trial stress.
+///    Or `flow_curve(e, dt)`, with a temperature T `flow_curve(e, T, dt)`: its flow stress as a series in the increment
+///    (strike/material/strength/flow_curve.hpp), which takes less time than dual numbers.
 /// 4. `stiffness(state, J)`: a bound of the tangent's shear modulus, where it may exceed `shear_modulus`.
 /// 5. `State::spatial_tensors()`: a tuple of references to what the element turns.
 /// 6. `warning()`: a text for the user, empty if there is nothing to say.
@@ -117,34 +120,26 @@ concept HasYieldRadius = requires(const S law, const typename S::template State<
   { law.yield_radius(state) } -> std::convertible_to<double>;
 };
 
-/// A number without its derivatives.
-template <class T>
-T constant(const T& x) {
-  return x;
-}
-template <class T, std::size_t N>
-Dual<T, N> constant(const Dual<T, N>& x) {
-  return x.value();
-}
-
 /// The root of a falling f in (0, 1) from the guess x, by Newton's steps in ln x inside a bracket: with power laws and
-/// logarithms the root ranges over many decades. `active` marks the lanes that count; f takes and gives Dual<T, 1>;
-/// `tolerance` is in the units of f. The last step is always Newton's: it gives a dual root the derivatives of the
-/// implicit function.
+/// logarithms the root ranges over many decades. `active` marks the lanes that count, each of which keeps its root when
+/// it has found it; f takes and gives Dual<T, 1>; `tolerance` is in the units of f. The last step is always Newton's:
+/// it gives a dual root the derivatives of the implicit function.
 template <class T, class F, class M>
 T falling_root(F f, T x, const M& active, const T& tolerance) {
-  T lower = T(0.0), upper = T(1.0);
-  for (int i = 0; i < 100; ++i) {
+  T lower = T(0.0), upper = T(1.0), root = x;
+  M open = active;
+  for (int i = 0; i < 100 && any(open); ++i) {
     x = constant(x);
     const Dual<T, 1> y = f(Dual<T, 1>::variable(x, 0));
-    const auto open = active && abs(y.value()) > tolerance;
+    const T newton = x * exp(T(-y.value() / (x * y.derivative(0))));
+    const auto found = abs(y.value()) <= tolerance;
+    root = select(open && found, newton, root);
+    open = open && !found;
     lower = select(y.value() >= 0.0, x, lower);
     upper = select(y.value() >= 0.0, upper, x);
-    const T newton = x * exp(T(-y.value() / (x * y.derivative(0))));
-    x = select(!open || (newton > lower && newton < upper), newton, 0.5 * (lower + upper));
-    if (!any(open)) break;
+    x = select(newton > lower && newton < upper, newton, 0.5 * (lower + upper));
   }
-  return x;
+  return select(open, x, root);
 }
 
 /// The flow stress of a flow law of any kind, at the temperature of the state.
@@ -158,6 +153,30 @@ U flow_stress(const S& law, const State& state, const U& strain, const U& rate) 
     return (void)state, (void)rate, law.flow_stress(strain);
 }
 
+/// A law whose increments are found along its flow curve, for it has no closed form.
+template <class S, class T>
+concept FoundByCurve = FlowLaw<S> && HasFlowCurve<S, T> &&
+                       !(RateIndependentFlow<S> && requires(const S law, T q) { law.plastic_increment(q, q, 1.0); });
+template <class T, FlowLaw S, class State>
+auto flow_curve(const S& law, const State& state, double dt) {
+  const T& e = state.equivalent_plastic_strain;
+  if constexpr (ThermalFlow<S>)
+    return law.flow_curve(e, T(law.initial_temperature + state.temperature_rise), dt);
+  else
+    return law.flow_curve(e, dt);
+}
+/// q is the trial stress, `change` what it has changed by since the step began.
+template <FlowLaw S, class State, class T>
+T increment_by_curve(const S& law, const State& state, const T& q, const T& change, double dt) {
+  if (!(dt > 0)) {
+    if constexpr (requires { law.plastic_increment(q, q, dt); })
+      return law.plastic_increment(q, state.equivalent_plastic_strain, dt);
+    else
+      return T(0.0);
+  }
+  return find_increment(flow_curve<T>(law, state, dt), q, 3.0 * law.shear_modulus, change);
+}
+
 }  // namespace detail
 
 /// The memory of a strength besides the stress.
@@ -169,7 +188,9 @@ using StrengthState = typename decltype(detail::strength_memory<S>())::template 
 template <FlowLaw S, class T>
 T plastic_increment(const S& law, const StrengthState<S, T>& state, const T& q, double dt) {
   const T& e = state.equivalent_plastic_strain;
-  if constexpr (requires { law.plastic_increment(q, e, dt); }) {
+  if constexpr (detail::FoundByCurve<S, T>) {
+    return detail::increment_by_curve(law, state, q, q, dt);
+  } else if constexpr (requires { law.plastic_increment(q, e, dt); }) {
     return law.plastic_increment(q, e, dt);
   } else {
     const T excess = q - detail::flow_stress<S, T>(law, state, e, T(0.0));
@@ -198,7 +219,14 @@ SymmetricTensor<T> advance_deviator(const S& law, State& state, const SymmetricT
     const SymmetricTensor<T> trial = s + T(2.0 * law.shear_modulus) * d;
     const T q_squared = max(T(detail::least_square<T>), 1.5 * double_dot(trial, trial));
     const T per_q = rsqrt(q_squared), q = q_squared * per_q;
-    const T dl = plastic_increment<S, T>(law, state, q, dt), relaxed = 3.0 * law.shear_modulus * dl;
+    T dl;
+    if constexpr (detail::FoundByCurve<S, T>) {
+      const T before = max(T(detail::least_square<T>), 1.5 * double_dot(s, s));
+      dl = detail::increment_by_curve(law, state, q, T(q - before * rsqrt(before)), dt);
+    } else {
+      dl = plastic_increment<S, T>(law, state, q, dt);
+    }
+    const T relaxed = 3.0 * law.shear_modulus * dl;
     state.equivalent_plastic_strain += dl;
     if constexpr (ThermalFlow<S>) state.temperature_rise += law.heating * (q - relaxed) * dl;
     return (1.0 - relaxed * per_q) * trial;

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include <strike/material/strength/flow_curve.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
@@ -27,6 +28,34 @@ struct VonMises {
   T flow_stress(const T& e) const {
     return max(T(0.0), yield_stress + hardening_modulus * e);
   }
+  /// The flow stress of a step, flow_curve.hpp.
+  template <class T>
+  class Curve {
+   public:
+    Curve(const VonMises& law, const T& e)
+        : stress_(law.yield_stress + law.hardening_modulus * e), hardening_(law.hardening_modulus) {}
+
+    T at_rest() const { return max(T(0.0), stress_); }
+    void start_at(const T&) {}
+    void move_to(const T&, const T&) {}
+    LogSeries<T> series(const T& dl) const {
+      const T stress = stress_ + hardening_ * dl, rise = select(stress > 0.0, hardening_ * dl, T(0.0));
+      return {max(T(0.0), stress), rise, 0.5 * rise, (1.0 / 6) * rise};
+    }
+    /// Where the stress does not reach zero.
+    auto is_smooth(const T& dl, const T& u) const {
+      return (stress_ + hardening_ * dl > 0.0) && (stress_ + hardening_ * dl * (1.0 + u * (1.0 + u)) > 0.0);
+    }
+
+   private:
+    T stress_;
+    double hardening_;
+  };
+  template <class T>
+  Curve<T> flow_curve(const T& e, double) const {
+    return {*this, e};
+  }
+
   /// q - 3 G dl = Y + H (e + dl), solved for dl.
   template <class T>
   T plastic_increment(const T& q, const T& e, double) const {

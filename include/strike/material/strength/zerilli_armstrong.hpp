@@ -1,6 +1,8 @@
 #pragma once
+#include <cmath>
 #include <limits>
 
+#include <strike/material/strength/flow_curve.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
@@ -40,6 +42,56 @@ struct ZerilliArmstrong {
     const T activity = log(max(rate * (1.0 / reference_rate), T(std::numeric_limits<RealOf<T>>::min())));
     const T thermal = exp(T(temperature * (C4 * activity - C3)));
     return C0 + (C1 + C2 * sqrt(e)) * thermal + C5 * pow(e, n);
+  }
+
+  /// The flow stress of a step at the temperature of its start, flow_curve.hpp. The thermal part is a power of the
+  /// rate.
+  template <class T>
+  class Curve {
+   public:
+    Curve(const ZerilliArmstrong& law, const T& e, const T& temperature, double dt)
+        : law_(law),
+          per_dt_(1 / dt / law.reference_rate),
+          root_(e, 0.5),
+          power_(e, law.n),
+          exponent_(law.C4 * temperature),
+          cold_(-law.C3 * temperature) {}
+
+    T at_rest() const {
+      const double slowest = std::log(std::numeric_limits<RealOf<T>>::min());
+      T stress = law_.C0 + (law_.C1 + law_.C2 * root_.at_rest()) * exp(T(slowest * exponent_ + cold_));
+      if (law_.C5 != 0) stress += law_.C5 * power_.at_rest();
+      return stress;
+    }
+    void start_at(const T& dl) {
+      move_strain_to(dl);
+      thermal_ = exp(T(cold_ + exponent_ * log(T(dl * per_dt_))));
+    }
+    void move_to(const T& dl, const T& u) {
+      move_strain_to(dl);
+      thermal_ *= exp(T(exponent_ * u));
+    }
+    LogSeries<T> series(const T& dl) const {
+      LogSeries<T> stress =
+          law_.C0 + LogSeries<T>::exponential(thermal_, exponent_) * (law_.C1 + T(law_.C2) * root_.series(dl));
+      if (law_.C5 != 0) stress = stress + T(law_.C5) * power_.series(dl);
+      return stress;
+    }
+
+   private:
+    void move_strain_to(const T& dl) {
+      root_.move_to(dl);
+      if (law_.C5 != 0) power_.move_to(dl);
+    }
+
+    const ZerilliArmstrong& law_;
+    double per_dt_;
+    detail::StrainPower<T> root_, power_;
+    T exponent_, cold_, thermal_{};
+  };
+  template <class T>
+  Curve<T> flow_curve(const T& e, const T& temperature, double dt) const {
+    return {*this, e, temperature, dt};
   }
 };
 
