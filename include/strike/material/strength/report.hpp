@@ -1,4 +1,6 @@
 #pragma once
+#include <concepts>
+
 #include <strike/material/report.hpp>
 #include <strike/material/strength/strength.hpp>
 #include <strike/protocol.hpp>
@@ -30,6 +32,29 @@ struct PlasticIncrement {
     return law.plastic_increment(q, q, 1.0);
   }
 };
+struct FlowCurveName {
+  struct Decoy {
+    int flow_curve;
+  };
+  template <class Model>
+  using Member = decltype(&Model::flow_curve);
+  template <class Model>
+  using Specialised = decltype(&Model::template flow_curve<double>);
+};
+
+/// The class of a pointer to a member.
+template <class Class, class Function>
+Class declaring_class(Function Class::*);
+/// The flow stress is of another class than the function that finds its increment: that of a base does not know it.
+template <class S>
+concept InheritsIncrement = requires {
+  requires !std::same_as<decltype(declaring_class(&S::template flow_stress<double>)),
+                         decltype(declaring_class(&S::template plastic_increment<double>))>;
+} || requires {
+  requires !std::same_as<decltype(declaring_class(&S::template flow_stress<double>)),
+                         decltype(declaring_class(&S::template flow_curve<double>))>;
+};
+
 struct Stiffness {
   struct Decoy {
     int stiffness;
@@ -43,7 +68,7 @@ struct Stiffness {
 };
 
 /// Flaws of a strength, in the order in which they are reported.
-enum class StrengthFlaw { none, absent, flow, deviator, in_double, increment, stiffness, warning };
+enum class StrengthFlaw { none, absent, flow, deviator, in_double, increment, curve, inherited, stiffness, warning };
 template <class S>
 constexpr StrengthFlaw strength_flaw() {
   constexpr bool has_modulus = requires(const S strength) { double(strength.shear_modulus); };
@@ -58,6 +83,10 @@ constexpr StrengthFlaw strength_flaw() {
     return StrengthFlaw::in_double;
   else if constexpr (nearly<PlasticIncrement, const S, const TrialLanes>)
     return StrengthFlaw::increment;
+  else if constexpr (FlowLaw<S> && HasName<FlowCurveName, S> && !HasFlowCurve<S, TrialLanes>)
+    return StrengthFlaw::curve;
+  else if constexpr (FlowLaw<S> && InheritsIncrement<S>)
+    return StrengthFlaw::inherited;
   else if constexpr (nearly<Stiffness, const S, const StrengthState<S, TrialLanes>, const TrialLanes>)
     return StrengthFlaw::stiffness;
   else if constexpr (misfits<Warning, const S>)
@@ -82,6 +111,12 @@ struct StrengthReport {
   static_assert(flaw != StrengthFlaw::increment,
                 "strike: plastic_increment of a strength is template <class T> T plastic_increment(const T& q, const "
                 "T& strain, double dt) const; this one has other arguments or another result.");
+  static_assert(flaw != StrengthFlaw::curve,
+                "strike: flow_curve of a strength takes (const T& strain, double dt), or (const T& strain, const T& "
+                "temperature, double dt), and returns a curve; this one has other arguments.");
+  static_assert(flaw != StrengthFlaw::inherited,
+                "strike: this strength has a flow_stress of its own, but the plastic_increment or flow_curve of its "
+                "base, which does not know it: give it its own, or keep the base as a member.");
   static_assert(flaw != StrengthFlaw::stiffness,
                 "strike: stiffness of a strength is template <class T> T stiffness(const State<T>& state, const T& J) "
                 "const; this one has other arguments or another result.");
