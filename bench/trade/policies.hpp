@@ -24,14 +24,17 @@ constexpr auto distances = [](auto& cases) {
   cases.add("mixed, a metre away", Hex8{}, in<Pack<float>, double>, Options{.distance = 1000});
 };
 
-constexpr auto elements = [](auto& cases) { cases.add("8 points", Hex8Full{}); };
+constexpr auto elements = [](auto& cases) {
+  cases.add("physical hourglass", Hex8{PhysicalHourglass{}});
+  cases.add("physical hourglass, mixed", Hex8{PhysicalHourglass{}}, in<Pack<float>, double>);
+  cases.add("8 points", Hex8Full{});
+};
 
 constexpr auto step_factors = [](auto& cases) {
   cases.add("step factor 0.5", Hex8{}, in<Pack<double>>, Options{.driver = {.step_factor = 0.5}});
 };
 
 constexpr auto hourglass_controls = [](auto& cases) {
-  cases.add("physical hourglass", Hex8{PhysicalHourglass{}});
   cases.add("no hourglass control", Hex8{NoHourglass{}});
   cases.add("viscous hourglass 0.05", Hex8{ViscousHourglass{.coefficient = 0.05}});
   cases.add("stiffness hourglass 0.001", Hex8{StiffnessHourglass{.coefficient = 0.001}});

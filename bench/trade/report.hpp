@@ -1,8 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <strike/draw/chart.hpp>
@@ -105,10 +107,37 @@ inline std::string csv(const std::vector<Study>& studies) {
   return text;
 }
 
-/// Error over CPU time, a curve from coarse to fine for each policy, and the front behind them.
+/// The policies of which a picture has room: the first, which is the usual, and those nearest to the front, by how many
+/// times slower or less accurate than a run on it theirs are on the average. The best come last, for they lie on top.
+inline std::vector<std::size_t> drawn(const Study& study, const std::vector<const Run*>& front) {
+  constexpr std::size_t colours = 6;  // a seventh is that of the front
+  const auto distance = [&](std::size_t policy) {
+    double sum = 0;
+    for (const Run& run : study.runs[policy]) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Run* best : front)
+        least = std::min(least, std::max({1.0, run.outcome.seconds / best->outcome.seconds,
+                                          run.outcome.error / best->outcome.error}));
+      sum += std::log(least);
+    }
+    return sum;
+  };
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t i = 1; i < study.runs.size(); ++i) others.emplace_back(distance(i), i);
+  std::ranges::sort(others);
+  others.resize(std::min(others.size(), colours - 1));
+  others.emplace_back(0, 0);
+  std::vector<std::size_t> policies;
+  for (const auto& [far, policy] : others) policies.push_back(policy);
+  std::ranges::reverse(policies);
+  return policies;
+}
+
+/// Error over CPU time, a curve from coarse to fine for each of the best policies, and the front behind them.
 inline void draw(const Study& study, const std::vector<const Run*>& front, const std::string& path) {
   Chart chart{{.title = study.problem.title,
-               .caption = detail::joined({"Error: ", study.problem.error, ". Each curve goes from coarse to fine."}),
+               .caption = detail::joined({"Error: ", study.problem.error,
+                                          ". Each curve goes from coarse to fine; the best policies of the table."}),
                .x = {.label = "CPU time", .unit = "s", .scale = Scale::logarithmic},
                .y = {.label = "error", .unit = "%", .scale = Scale::logarithmic},
                .height = 560}};
@@ -119,11 +148,13 @@ inline void draw(const Study& study, const std::vector<const Run*>& front, const
   };
   add("Pareto front", front, {.colour = 6, .width = 8});
   constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond, Marker::cross};
-  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+  int colour = 0;
+  for (const std::size_t policy : drawn(study, front)) {
     std::vector<const Run*> runs;
-    for (const Run& run : study.runs[i]) runs.push_back(&run);
-    add(study.problem.cases[i].policy, runs,
-        {.line = Line::dotted, .marker = markers[i % 5], .colour = static_cast<int>(i % 6), .width = 1});
+    for (const Run& run : study.runs[policy]) runs.push_back(&run);
+    add(study.problem.cases[policy].policy, runs,
+        {.line = Line::dotted, .marker = markers[colour % 5], .colour = colour, .width = 1});
+    ++colour;
   }
   if (study.problem.uncertainty > 0)
     chart.reference(100 * study.problem.uncertainty, "as well as the reference is known");

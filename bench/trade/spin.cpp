@@ -76,7 +76,7 @@ Problem spin() {
                   .title = "Stressed brick in ten revolutions",
                   .error = "stress against the one that it began with, largest norm of the difference",
                   .meshes = {"2 x 2 x 2", "4 x 4 x 4", "8 x 8 x 8", "16 x 16 x 16"}},
-                 turn, usual, numbers, step_factors, rotations);
+                 turn, usual, elements, numbers, step_factors, rotations);
 }
 
 }  // namespace trade

@@ -73,10 +73,9 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     apply_loads();
   }
 
-  /// Steps until the time `end`, until an observer `stops()` or until a relaxation is at rest. The last step ends at
-  /// `end` exactly; where that is now, nothing is done after the start. Observers (strike/dynamics/observer.hpp) see
-  /// the state before the first step and after each. Errors: an end that is past; called by an observer; the run has
-  /// to be given up: the sentence says what, where and when, after the observers have seen the last state.
+  /// Steps until exactly the time `end`, until an observer `stops()` or a relaxation is at rest; where the end is now,
+  /// nothing is done after the start. Observers (strike/dynamics/observer.hpp) see the state before the first step and
+  /// after each. Errors: an end that is past; called by an observer; the run is given up, whose last state they see.
   template <class... Observers>
   void until(double end, Observers&&... observers) {
     using All = std::tuple<std::remove_reference_t<Observers>&...>;
@@ -95,6 +94,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
           (observe(observers, *this), ...);
           (detail::call_if_present<Save>(observers, *this, all), ...);
         }
+        this->print_stretch();
       };
       call_with_last(steps, *this, observers...);
     }

@@ -16,6 +16,7 @@
 #include <strike/dynamics/ill_formed_run.hpp>
 #include <strike/dynamics/not_finite.hpp>
 #include <strike/dynamics/part_checks.hpp>
+#include <strike/dynamics/plate_stretch.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/each_of.hpp>
@@ -119,6 +120,7 @@ class RunningScene {
       if constexpr (requires { item.warning(); })
         if (std::string warning = item.warning(); !warning.empty()) all.push_back(std::move(warning));
     });
+    for (std::string& sentence : stretch_warnings()) all.push_back(std::move(sentence));
     return all;
   }
 
@@ -175,8 +177,16 @@ class RunningScene {
     });
     if (!slip.empty()) warnings.push_back(std::move(slip));
   }
-  [[gnu::cold]] static void print(const std::vector<std::string>& warnings) {
+  [[gnu::cold]] void print(const std::vector<std::string>& warnings) {
+    prints_warnings_ = true;
     for (const std::string& warning : warnings) std::fprintf(stderr, "strike: warning: %s\n", warning.c_str());
+  }
+  /// Prints those on plates that have stretched in the run, once, if warnings are printed.
+  void print_stretch() {
+    if (!prints_warnings_ || has_told_stretch_) return;
+    const std::vector<std::string> warnings = stretch_warnings();
+    has_told_stretch_ = !warnings.empty();
+    print(warnings);
   }
   /// An element of a part with its place, for a message.
   [[gnu::cold]] std::string describe(const StableStep& stable) const {
@@ -191,6 +201,13 @@ class RunningScene {
   RunningItems items_;
 
  private:
+  std::vector<std::string> stretch_warnings() const {
+    std::vector<std::string> all;
+    each_part([&](const auto& part) {
+      if (std::string sentence = stretch_warning(part, nodes_); !sentence.empty()) all.push_back(std::move(sentence));
+    });
+    return all;
+  }
   static RunningItems start(std::tuple<Items...> items, Nodes& nodes, std::vector<std::vector<Index>> orders) {
     std::size_t part = 0;
     return std::apply(
@@ -210,6 +227,8 @@ class RunningScene {
     else
       return ill_formed_item;
   }
+
+  bool prints_warnings_ = false, has_told_stretch_ = false;
 };
 
 }  // namespace strike::detail

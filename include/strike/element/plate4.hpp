@@ -185,6 +185,14 @@ struct Plate4 {
     return response;
   }
 
+  /// The area over that at rest, of a plate whose thickness does not follow.
+  template <class Section, class T>
+    requires std::same_as<Thickness, ConstantThickness>
+  T stretch(const State<Section, T>& state, const Nodal<T, 4>& x) const {
+    const Plate4Modes<T> m = to_plate_modes<T>(x);
+    return state.inverse_area * Plate4Frame<T>(m.xi, m.eta).area;
+  }
+
  private:
   static constexpr bool controlled = !std::is_same_v<Hourglass, NoPlateHourglass>,
                         drilling_controlled = !std::is_same_v<Drilling, FreeDrilling>,
