@@ -208,6 +208,34 @@ TEST_CASE("physical hourglass: a shape that is bent to and fro dissipates, and e
   CHECK(loop(testing::metal, 1e-3) > 0.9);
 }
 
+TEST_CASE("physical hourglass: a material that loses its strength leaves numbers, in float too") {
+  const auto bend = [](auto number, const auto& material) {
+    using T = decltype(number);
+    testing::Shapes<8> shapes(9, unit_cube(), 0.15);
+    Nodal<T, 8> x = shapes().template cast<T>();
+    typename decltype(element)::template State<std::decay_t<decltype(material)>, T> state;
+    element.begin(state, material, x);
+    for (int i = 0; i < 60; ++i) {
+      const Nodal<T, 8> v = (0.05 * shapes.nodal()).template cast<T>();
+      x = x + T(0.02) * v;
+      const auto response = element.advance(state, material, x, v, 0.02);
+      for (const T& f : response.force.reshaped()) CHECK(std::isfinite(lane(f, 0)));
+      CHECK(std::isfinite(lane(response.hourglass_work, 0)));
+    }
+    CHECK(lane(state.material.equivalent_plastic_strain, 0) > 0);
+    CHECK(lane(state.material.equivalent_plastic_strain, 0) < 1);
+  };
+  const LinearEos eos{.density = 1, .bulk_modulus = 1};
+  const VonMises soft{
+      .shear_modulus = 0.4, .yield_stress = 1e-3, .hardening_modulus = -0.5};  // nothing is left at 0.002
+  bend(1.0, Solid{eos, soft}), bend(Pack<float>(1.0F), Solid{eos, soft});
+  const VonMises metal{.shear_modulus = 0.4, .yield_stress = 1e-3};
+  bend(1.0, Solid{eos, metal, FailureStrain{1e-3}}), bend(Pack<float>(1.0F), Solid{eos, metal, FailureStrain{1e-3}});
+  bend(1.0, Solid{eos, metal, BecomesFluid{FailureStrain{1e-3}}});
+  bend(Pack<float>(1.0F),
+       Solid{eos, KinematicHardening{.shear_modulus = 0.4, .yield_stress = 1e-3, .hardening_modulus = 0.01}});
+}
+
 TEST_CASE("controls by stiffness: a fluid, and a solid that has become one, get the viscous control") {
   testing::Shapes<8> shapes(8, unit_cube(), 0.15);
   const Fluid water{CubicEos{.density = 1, .C1 = 2.2, .C2 = 9.5, .C3 = 14.6}};

@@ -186,7 +186,7 @@ struct PhysicalHourglass {
     const T mean_squared = flow.equivalent * flow.equivalent, all_squared = mean_squared + q_squared;
     const T Y = yield(flows, flow.equivalent, all_squared,
                       [&]() -> T { return T(4.0 / 9.0) * edges.equivalent_squared(stress_rate); });
-    const T joint = select(solid, min(T(1.0), Y * rsqrt(all_squared)), T(1.0));
+    const T per_all = rsqrt(all_squared), joint = select(solid, min(T(1.0), Y * per_all), T(1.0));
     const T kept = select(solid, left * joint, T(0.0));
     for (PlaneTensor<T>& S_k : S) S_k = kept * S_k;
     b = kept * b;
@@ -206,7 +206,7 @@ struct PhysicalHourglass {
     Answer<T> answer{.resistance = edges.resistance(e.volume, edges.sum(S, delay, stress_rate)),
                      .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power),
                      .kept = joint,
-                     .plastic_increment = select(solid, released / Y, T(0.0)),
+                     .plastic_increment = select(solid, released * per_all, T(0.0)),
                      .flow_stress = Y};
     answer.resistance[3] = e.volume * (b + delay * bilinear_rate);
     if (any(!solid)) {
