@@ -57,9 +57,11 @@ inline std::string cell(const Run& run) {
 /// Policies down, meshes across.
 inline std::string markdown(const Study& study) {
   std::vector<std::string> titles{"policy"};
-  for (std::size_t k = 0; k < study.runs.front().size(); ++k)
-    titles.push_back(
-        detail::joined({study.problem.meshes[k], ": ", std::to_string(study.runs.front()[k].outcome.elements)}));
+  for (std::size_t k = 0; k < study.runs.front().size(); ++k) {
+    std::size_t elements = 0;  // of a run that was given up none
+    for (const auto& policy : study.runs) elements = std::max(elements, policy[k].outcome.elements);
+    titles.push_back(detail::joined({study.problem.meshes[k], ": ", std::to_string(elements)}));
+  }
   titles.insert(titles.end(), {"steps", "ns"});
   std::string text = detail::joined({"### ", study.problem.title, "\n\nError: ", study.problem.error,
                                      ". Meshes with their number of ", study.problem.elements, ".\n\n", head(titles)});
