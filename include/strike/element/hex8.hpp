@@ -149,7 +149,7 @@ struct Hex8 {
       const PointFlow<T> flow = meter(state.material, sigma, before.shear);
       const auto answer = hourglass.advance(state.hourglass, element, m, u, rates, turn(rates[3]), flow,
                                             detail::Yield<M, T>(material, state.material, rate, before.shear));
-      Q = answer.resistance, response.hourglass_work = answer.work, hourglass_rate = hourglass.critical_rate(element);
+      Q = answer.resistance, response.hourglass_work = answer.work, hourglass_rate = answer.critical_rate;
       if constexpr (requires { material.flow(state.material, V, V, V); }) {
         const SymmetricTensor<T> returned = (1.0 - answer.kept) * flow.deviator;
         sigma = sigma - returned;
@@ -205,9 +205,14 @@ struct Hex8 {
                                         .gradient = S,
                                         .gradient_squared = stability.trace,
                                         .gradient_eigenvalue = stability.eigenvalue};
-      const T r = dt * hourglass.critical_rate(element);
+      T rate_alone;
+      if constexpr (physical)
+        rate_alone = hourglass.critical_rate(element, to_modes<T>(x)),
+        resistance.stresses = hourglass.resistance(element, to_modes<T>(x));
+      else
+        rate_alone = hourglass.critical_rate(element);
+      const T r = dt * rate_alone;
       constexpr bool stiff = detail::answers<detail::ControlStiffness, const Hourglass, const HourglassElement<T>>;
-      if constexpr (physical) resistance.stresses = hourglass.resistance(element);
       const T viscous = max(r, T(r * r)), solid = physical ? T(0.0) : stiff ? T(r * r) : viscous;
       resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * select(element.shear_modulus > 0.0, solid, viscous);
     }

@@ -92,6 +92,19 @@ class MeanEdges {
     return Q;
   }
 
+  /// Traces of the inverse metrics of the planes: their sum, in a brick twice the sum of 1/|a_i|^2, and the largest.
+  struct Traces {
+    T sum, largest;
+  };
+  Traces traces() const {
+    Traces t{T(0.0), T(0.0)};
+    each_direction([&](auto k, auto, auto) {
+      const T trace_k = trace(planes_[k].inverse);
+      t.sum += trace_k, t.largest = max(t.largest, trace_k);
+    });
+    return t;
+  }
+
   /// The sum of a_k : b_k.
   static T contracted(const Planes& a, const Planes& b) {
     return double_dot(a[0], b[0]) + double_dot(a[1], b[1]) + double_dot(a[2], b[2]);
@@ -148,6 +161,7 @@ struct PhysicalHourglass {
   template <class T>
   struct Answer {
     HourglassModes<T> resistance;
+    T critical_rate;      ///< one over the largest step that this alone allows [1/time]
     T work;               ///< done against it in the step [energy]
     T kept;               ///< share of the mean deviator that the joint return leaves
     T plastic_increment;  ///< of the equivalent plastic strain, beside the flow of the mean
@@ -156,10 +170,8 @@ struct PhysicalHourglass {
 
   /// One over the largest step that this alone allows: half the highest frequency, with its damping.
   template <class T>
-  T critical_rate(const HourglassElement<T>& e) const {
-    const double xi = damping_ratio;
-    const T physical = (xi + std::sqrt(1 + xi * xi)) * half_frequency(e);
-    return select(e.shear_modulus > 0.0, physical, ViscousHourglass{}.critical_rate(e));
+  T critical_rate(const HourglassElement<T>& e, const Hex8Modes<T>& m) const {
+    return critical_rate(e, half_frequency(e, detail::MeanEdges<T>(m)));
   }
 
   /// Advances the state over the step in which the modes moved to m at the velocities u; d_rate is that of the mode d,
@@ -170,8 +182,8 @@ struct PhysicalHourglass {
                     const HourglassModes<T>& rates, const Vector3<T>& d_rate, const PointFlow<T>& flow,
                     const Yield& yield) const {
     const T G2 = 2.0 * e.shear_modulus, mu = plane_ratio(e);
-    const T delay = damping_ratio / max(T(detail::least_square<T>), half_frequency(e));  // stress += delay dS/dt
     const detail::MeanEdges<T> edges(m);
+    const T half_w = half_frequency(e, edges), delay = delay_at(half_w);  // stress += delay dS/dt
     const auto strain_rate = edges.strain(rates, {m.a1 - e.dt * u.a1, m.a2 - e.dt * u.a2, m.a3 - e.dt * u.a3});
     auto stress_rate = edges.stress(mu, strain_rate);
     for (PlaneTensor<T>& rate : stress_rate) rate = G2 * rate;
@@ -204,6 +216,7 @@ struct PhysicalHourglass {
     const T M = e.wave_modulus, G = e.shear_modulus, per_E = (M - G) / (G * (3.0 * M - 4.0 * G));
     const T released = (1.0 - joint) * (0.75 * per_E * q_squared + mean_squared / (3.0 * G));  // energy per volume
     Answer<T> answer{.resistance = edges.resistance(e.volume, edges.sum(S, delay, stress_rate)),
+                     .critical_rate = critical_rate(e, half_w),
                      .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power),
                      .kept = joint,
                      .plastic_increment = select(solid, released * per_all, T(0.0)),
@@ -238,8 +251,8 @@ struct PhysicalHourglass {
     }
   };
   template <class T>
-  Resistance<T> resistance(const HourglassElement<T>& e) const {
-    const T delay = damping_ratio / max(T(detail::least_square<T>), half_frequency(e));
+  Resistance<T> resistance(const HourglassElement<T>& e, const Hex8Modes<T>& m) const {
+    const T delay = delay_at(half_frequency(e, detail::MeanEdges<T>(m)));
     const T factor = 0.25 * e.dt * e.dt + 0.5 * e.dt * delay;
     return {2.0 * factor * e.shear_modulus, plane_ratio(e), factor * bilinear_modulus(e)};
   }
@@ -257,11 +270,23 @@ struct PhysicalHourglass {
   static T bilinear_modulus(const HourglassElement<T>& e) {
     return T(1.0 / 36.0) * e.shear_modulus * (1.0 + 0.5 * plane_ratio(e));
   }
-  /// Bound of half the highest frequency: w^2/4 <= E/(1 - nu^2) (tr S + L1(S))/(3 rho), found over random shapes.
   template <class T>
-  static T half_frequency(const HourglassElement<T>& e) {
+  static T delay_at(const T& half_w) {
+    return damping_ratio / max(T(detail::least_square<T>), half_w);
+  }
+  template <class T>
+  static T critical_rate(const HourglassElement<T>& e, const T& half_w) {
+    const double xi = damping_ratio;
+    return select(e.shear_modulus > 0.0, (xi + std::sqrt(1 + xi * xi)) * half_w, ViscousHourglass{}.critical_rate(e));
+  }
+  /// Bound of half the highest frequency: w^2/4 <= E/(1 - nu^2) (tr S + L1(S))/(3 rho), found over random shapes. Where
+  /// a shape is so distorted that the planes of its mean edges are stiffer than its gradient S, they count.
+  template <class T>
+  static T half_frequency(const HourglassElement<T>& e, const detail::MeanEdges<T>& edges) {
     const T G = e.shear_modulus, plane_modulus = 4.0 * G * (1.0 - G / e.wave_modulus);
-    return sqrt(T(1.0 / 3.0) * plane_modulus * (e.gradient_squared + e.gradient_eigenvalue) / e.density);
+    const auto [sum, largest] = edges.traces();
+    const T both = max(e.gradient_squared, 4.0 * sum) + max(e.gradient_eigenvalue, 8.0 * largest);
+    return sqrt(T(1.0 / 3.0) * plane_modulus * both / e.density);
   }
 };
 
