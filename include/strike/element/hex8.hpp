@@ -125,7 +125,7 @@ struct Hex8 {
               carried(minus_times(u.b3, L, m.b3)), carried(minus_times(u.d, L, m.d))};
     };
     if constexpr (controlled && !physical) {
-      // What a control keeps of it turns with the element.
+      // A control that remembers has its memory turned with the element.
       const HourglassModes<T> rates = rates_from([&](const Vector3<T>& rate_k) -> Vector3<T> {
         if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
           return rate_k;
@@ -183,7 +183,8 @@ struct Hex8 {
   template <class M, class T>
   Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
                            double dt) const {
-    const Hex8Gradient<T> g(to_modes<T>(x));
+    const Hex8Modes<T> m = to_modes<T>(x);
+    const Hex8Gradient<T> g(m);
     const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
     const SolidKinematics::Rate<T> rate{symmetric_part(g.gradient_of(to_modes<T>(v), per_volume)), J};
     const Moduli<T> moduli = material.moduli(state.material, rate);
@@ -207,8 +208,7 @@ struct Hex8 {
                                         .gradient_eigenvalue = stability.eigenvalue};
       T rate_alone;
       if constexpr (physical)
-        rate_alone = hourglass.critical_rate(element, to_modes<T>(x)),
-        resistance.stresses = hourglass.resistance(element, to_modes<T>(x));
+        rate_alone = hourglass.critical_rate(element, m), resistance.stresses = hourglass.resistance(element, m);
       else
         rate_alone = hourglass.critical_rate(element);
       const T r = dt * rate_alone;
@@ -244,7 +244,7 @@ struct Hex8 {
       return (void)state, G;
   }
 
-  /// What a control that flows with its material must know from before the step.
+  /// The state before the step as a control must know it that flows with its material.
   template <class M, class State, class T>
   static auto flow_meter(const M& material, const State& state, const SolidKinematics::Rate<T>& rate, const T& G,
                          double dt) {

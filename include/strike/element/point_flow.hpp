@@ -15,7 +15,7 @@ struct PointFlow {
   T equivalent{};               ///< its von Mises equivalent q, above 0 [stress]
   T relaxed{};                  ///< by which the trial q was more, 3 G times the plastic increment [stress]
 
-  /// What the return has left of the trial stress.
+  /// The share of the trial stress that the return has left.
   T kept() const { return equivalent / (equivalent + relaxed); }
 };
 
