@@ -17,7 +17,7 @@ namespace strike {
 /// written in its own modes. Policies: hourglass control, rotation of the tensors, bulk viscosity, and the instant of
 /// the step at which the motion is measured.
 ///   Hex8{}   Hex8{StiffnessHourglass{.coefficient = 0.01}}   Hex8{ViscousHourglass{}, Jaumann{}, NoBulkViscosity{}}
-template <class Hourglass = ViscousHourglass, class Spin = HughesWinget, class Viscosity = BulkViscosity,
+template <class Hourglass = PhysicalHourglass, class Spin = HughesWinget, class Viscosity = BulkViscosity,
           class Instant = MidStep>
 struct Hex8 {
   static constexpr bool has_hourglass = HourglassControl<Hourglass>, has_rotation = has_hourglass && Rotation<Spin>,
@@ -53,11 +53,16 @@ struct Hex8 {
   static constexpr CellShape shape = CellShape::hexahedron;
   static constexpr bool flows = std::is_same_v<Hourglass, ViscousHourglass>;
 
+  /// The control with a material.
+  template <class M>
+  using Control = std::conditional_t<std::same_as<Hourglass, PhysicalHourglass> && !has_shear_modulus<M>(),
+                                     ViscousHourglass, Hourglass>;
+
   template <class M, class T>
   struct State {
     T inverse_volume{};  ///< 1/V0
     [[no_unique_address]] typename Viscosity::template State<T> viscosity{};
-    [[no_unique_address]] typename Hourglass::template State<T> hourglass{};
+    [[no_unique_address]] typename Control<M>::template State<T> hourglass{};
     [[no_unique_address]] typename M::template State<T> material{};
 
     template <class F>
@@ -78,6 +83,8 @@ struct Hex8 {
   template <class M, class T, class Velocities>
   Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v,
                          double dt) const {
+    constexpr bool physical = std::same_as<Control<M>, PhysicalHourglass>;
+    const Control<M>& control = control_with<M>();
     // The order of the statements overlaps long chains of dependent operations (roots, quotients) with others, and
     // leaves few numbers waiting.
     const Hex8Modes<T> m = to_modes<T>(x);
@@ -127,27 +134,27 @@ struct Hex8 {
     if constexpr (controlled && !physical) {
       // A control that remembers has its memory turned with the element.
       const HourglassModes<T> rates = rates_from([&](const Vector3<T>& rate_k) -> Vector3<T> {
-        if constexpr (std::is_empty_v<typename Hourglass::template State<T>>)
+        if constexpr (std::is_empty_v<typename Control<M>::template State<T>>)
           return rate_k;
         else
           return turn(rate_k);
       });
-      Q = hourglass.resistance(state.hourglass, element, rates);
-      response.hourglass_work = hourglass.work(element, Q, rates);
-      hourglass_rate = hourglass.critical_rate(element);
+      Q = control.resistance(state.hourglass, element, rates);
+      response.hourglass_work = control.work(element, Q, rates);
+      hourglass_rate = control.critical_rate(element);
     }
 
     const T q = bulk_viscosity.pressure(before.wave(), crossing_time, theta);
     response.bulk_viscosity_work = bulk_viscosity.work(state.viscosity, q, dV);
     heat(state.material, response.bulk_viscosity_work * state.inverse_volume);
 
-    [[maybe_unused]] const auto meter = flow_meter(material, state.material, rate, before.shear, dt);
+    [[maybe_unused]] const auto meter = flow_meter<physical>(material, state.material, rate, before.shear, dt);
     auto [sigma, work] = advance_point(material, state.material, rate, dt, V, dV);
     response.internal_work = work;
     if constexpr (physical) {
       const HourglassModes<T> rates = rates_from([](const Vector3<T>& rate_k) { return rate_k; });
       const PointFlow<T> flow = meter(state.material, sigma, before.shear);
-      const auto answer = hourglass.advance(state.hourglass, element, m, u, rates, turn(rates[3]), flow,
+      const auto answer = control.advance(state.hourglass, element, m, u, rates, turn(rates[3]), flow,
                                             detail::Yield<M, T>(material, state.material, rate, before.shear));
       Q = answer.resistance, response.hourglass_work = answer.work, hourglass_rate = answer.critical_rate;
       if constexpr (requires { material.flow(state.material, V, V, V); }) {
@@ -186,7 +193,8 @@ struct Hex8 {
     const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
-    const SolidKinematics::Rate<T> rate{symmetric_part(g.gradient_of(to_modes<T>(v), per_volume)), J};
+    const Matrix3<T> L = g.gradient_of(to_modes<T>(v), per_volume);
+    const SolidKinematics::Rate<T> rate{symmetric_part(L), J};
     const Moduli<T> moduli = material.moduli(state.material, rate);
     const SymmetricTensor<T> S = T(1.0 / 512.0) * per_volume * per_volume * (g.squared_a() + g.squared_b());
     const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / density_of(material)) * J};
@@ -207,13 +215,18 @@ struct Hex8 {
                                         .gradient_squared = stability.trace,
                                         .gradient_eigenvalue = stability.eigenvalue};
       T rate_alone;
-      if constexpr (physical)
-        rate_alone = hourglass.critical_rate(element, m), resistance.stresses = hourglass.resistance(element, m);
-      else
+      if constexpr (std::same_as<Hourglass, PhysicalHourglass>) {
+        const Hex8Modes<T> u = to_modes<T>(v);
+        const HourglassModes<T> rates{minus_times(u.b1, L, m.b1), minus_times(u.b2, L, m.b2),
+                                      minus_times(u.b3, L, m.b3), minus_times(u.d, L, m.d)};
+        rate_alone = ViscousHourglass::critical_rate(element, hourglass.damping(element, rates, T(0.0)));
+        resistance.stresses = hourglass.resistance(element, m);
+      } else {
         rate_alone = hourglass.critical_rate(element);
+      }
       const T r = dt * rate_alone;
       constexpr bool stiff = detail::answers<detail::ControlStiffness, const Hourglass, const HourglassElement<T>>;
-      const T viscous = max(r, T(r * r)), solid = physical ? T(0.0) : stiff ? T(r * r) : viscous;
+      const T viscous = max(r, T(r * r)), solid = stiff ? T(r * r) : viscous;
       resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * select(element.shear_modulus > 0.0, solid, viscous);
     }
     if constexpr (requires { material.intact(state.material); }) resistance *= material.intact(state.material);
@@ -232,8 +245,17 @@ struct Hex8 {
                0.125 * shrinkage * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
   }
 
-  static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>,
-                        physical = std::same_as<Hourglass, PhysicalHourglass>;
+  static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;
+
+  template <class M>
+  const Control<M>& control_with() const {
+    if constexpr (std::same_as<Control<M>, Hourglass>) {
+      return hourglass;
+    } else {
+      static constexpr ViscousHourglass viscous;
+      return viscous;
+    }
+  }
 
   /// The shear modulus on which a control may count: none of a solid that has become a fluid.
   template <class State, class T>
@@ -245,7 +267,7 @@ struct Hex8 {
   }
 
   /// The state before the step as a control must know it that flows with its material.
-  template <class M, class State, class T>
+  template <bool physical, class M, class State, class T>
   static auto flow_meter(const M& material, const State& state, const SolidKinematics::Rate<T>& rate, const T& G,
                          double dt) {
     if constexpr (physical)

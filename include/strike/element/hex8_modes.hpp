@@ -81,6 +81,10 @@ struct Hex8Gradient {
 /// The four vectors of the hourglass modes b1, b2, b3 and d of a hexahedron: rates, or the resistance to them.
 template <class T>
 using HourglassModes = std::array<Vector3<T>, 4>;
+template <class T>
+T squared_norm(const HourglassModes<T>& q) {
+  return dot(q[0], q[0]) + dot(q[1], q[1]) + dot(q[2], q[2]) + dot(q[3], q[3]);
+}
 
 /// The nodal forces of the mean stress sigma and of Q_k, the resistance to the hourglass rates u_k - L m_k.
 template <class T>

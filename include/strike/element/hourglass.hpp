@@ -40,7 +40,11 @@ struct ViscousHourglass {
   /// One over the largest step that this alone allows, half the rate of decay a |Lambda|^2/m = 64 a/(rho V).
   template <class T>
   T critical_rate(const HourglassElement<T>& e) const {
-    return 32.0 * damping(e) * e.per_mass;
+    return critical_rate(e, damping(e));
+  }
+  template <class T>
+  static T critical_rate(const HourglassElement<T>& e, const T& a) {
+    return 32.0 * a * e.per_mass;
   }
 };
 

@@ -168,10 +168,15 @@ struct PhysicalHourglass {
     T flow_stress;        ///< at which that is
   };
 
-  /// One over the largest step that this alone allows: half the highest frequency, with its damping.
+  /// Resistance to the rates of the modes beside the stresses, a qdot: in a fluid that of ViscousHourglass. In a solid
+  /// whose nodes have the speed s in these modes it is shock viscosity, of the pressure 2 rho s^2 as much as exceeds the
+  /// flow stress: where stresses are far beyond it nothing else holds the modes.
   template <class T>
-  T critical_rate(const HourglassElement<T>& e, const Hex8Modes<T>& m) const {
-    return critical_rate(e, half_frequency(e, detail::MeanEdges<T>(m)));
+  T damping(const HourglassElement<T>& e, const HourglassModes<T>& rates, const T& flow_stress) const {
+    const T speed_squared = T(1.0 / 64.0) * squared_norm(rates);
+    const T excess = max(T(0.0), 2.0 * e.density * speed_squared - flow_stress);
+    const T solid = 0.25 * e.edge * e.edge * excess * rsqrt(max(T(detail::least_square<T>), speed_squared));
+    return select(e.shear_modulus > 0.0, solid, ViscousHourglass{}.damping(e));
   }
 
   /// Advances the state over the step in which the modes moved to m at the velocities u; d_rate is that of the mode d,
@@ -215,20 +220,16 @@ struct PhysicalHourglass {
     bilinear_power += dot(d_rate, b) + 2.0 * delay * dot(d_rate, bilinear_rate);
     const T M = e.wave_modulus, G = e.shear_modulus, per_E = (M - G) / (G * (3.0 * M - 4.0 * G));
     const T released = (1.0 - joint) * (0.75 * per_E * q_squared + mean_squared / (3.0 * G));  // energy per volume
+    const T a = damping(e, rates, Y);
     Answer<T> answer{.resistance = edges.resistance(e.volume, edges.sum(S, delay, stress_rate)),
-                     .critical_rate = critical_rate(e, half_w),
-                     .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power),
+                     .critical_rate = critical_rate(e, half_w) + ViscousHourglass::critical_rate(e, a),
+                     .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power) +
+                             e.dt * a * squared_norm(rates),
                      .kept = joint,
                      .plastic_increment = select(solid, released * per_all, T(0.0)),
                      .flow_stress = Y};
     answer.resistance[3] = e.volume * (b + delay * bilinear_rate);
-    if (any(!solid)) {
-      const ViscousHourglass viscous;
-      ViscousHourglass::State<T> none;
-      const HourglassModes<T> Q = viscous.resistance(none, e, rates);
-      for (std::size_t k = 0; k < 4; ++k) answer.resistance[k] = detail::selected(solid, answer.resistance[k], Q[k]);
-      answer.work = select(solid, answer.work, viscous.work(e, Q, rates));
-    }
+    for (std::size_t k = 0; k < 4; ++k) answer.resistance[k] = answer.resistance[k] + a * rates[k];
     return answer;
   }
 
@@ -277,7 +278,7 @@ struct PhysicalHourglass {
   template <class T>
   static T critical_rate(const HourglassElement<T>& e, const T& half_w) {
     const double xi = damping_ratio;
-    return select(e.shear_modulus > 0.0, (xi + std::sqrt(1 + xi * xi)) * half_w, ViscousHourglass{}.critical_rate(e));
+    return select(e.shear_modulus > 0.0, T((xi + std::sqrt(1 + xi * xi)) * half_w), T(0.0));
   }
   /// Bound of half the highest frequency: w^2/4 <= E/(1 - nu^2) (tr S + L1(S))/(3 rho), found over random shapes. Where
   /// a shape is so distorted that the planes of its mean edges are stiffer than its gradient S, they count.

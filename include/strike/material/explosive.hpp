@@ -100,6 +100,7 @@ struct Explosive {
   }
 
   using Kinematics = SolidKinematics;
+  static constexpr bool has_shear_modulus = false;
 
   template <class T>
   struct State : EosState<Eos, T> {

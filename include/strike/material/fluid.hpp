@@ -39,6 +39,7 @@ struct Fluid {
   }
 
   using Kinematics = SolidKinematics;
+  static constexpr bool has_shear_modulus = false;
 
   template <class T>
   struct State : EosState<Eos, T> {
