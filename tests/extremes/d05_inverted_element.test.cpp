@@ -80,13 +80,15 @@ TEST_CASE("D5: an element that is crushed flat ends the run when its step has fa
   auto run = pushed(Solid{eos, strength}, everywhere, steady);
   CHECK_THAT(told(run), ContainsSubstring("strike: at t = 0.02") && ContainsSubstring("the time step has fallen to ") &&
                             ContainsSubstring("element 18 of part 0 at ("));
-  CHECK(run.time() == Approx(4 / std::sqrt(3) / 100).epsilon(3e-3));
+  // The volume falls linearly, and the step as its cube at the most: by a wave as 1/V, by the overlap as 1/V^2.
+  CHECK(run.time() == Approx(4 / std::sqrt(3) / 100).epsilon(std::cbrt(1e-6)));
 }
 
 TEST_CASE("D5: where the material can fail the rest of the mesh runs on") {
   const FailureStrain failure{.failure_strain = 0.5};
+  const VonMises hard{.shear_modulus = 5e8, .yield_stress = 1e8};  // above rho v^2: neighbours hold
   for (const Displacement u : {steady, jump}) {
-    auto run = pushed(Solid{eos, strength, failure}, below, u);
+    auto run = pushed(Solid{eos, hard, failure}, below, u);
     CHECK(told(run).empty());
     const std::vector<double> intact = run.template part<0>().field([](const auto& state) { return state.intact; });
     for (std::size_t e = 0; e < intact.size(); ++e) CHECK(intact[e] == (e == 18 ? 0 : 1));

@@ -16,7 +16,7 @@ TEST_CASE("Taylor bar, 1350 hexahedra: X3D's table and the history of an indepen
   const std::vector<Row> history{{0, 32.400, 3.200, 1.000}, {10, 30.143, 5.015, .811}, {20, 28.084, 6.018, .617},
                                  {30, 26.229, 6.657, .426}, {40, 24.620, 7.001, .262}, {50, 23.291, 7.092, .140},
                                  {60, 22.292, 7.089, .057}, {70, 21.679, 7.089, .011}, {80, 21.523, 7.088, .0005}};
-  auto run = taylor::bar(taylor::mm_ms_kg, 3, 50, in<Pack<double>>);
+  auto run = taylor::bar(taylor::mm_ms_kg, 3, 50, in<Pack<double>>, Hex8{ViscousHourglass{}});
   double drift = 0;
   std::size_t row = 0;
   run.until(taylor::mm_ms_kg.end,
@@ -46,6 +46,16 @@ TEST_CASE("Taylor bar, 1350 hexahedra: X3D's table and the history of an indepen
   CHECK(run.energy().hourglass < 0.02 * run.energy().initial);
   CHECK(run.energy().contact == Approx(run.energy().initial / (2 * 50)).epsilon(1e-3));  // the foot of 50 layers stops
   CHECK(run.energy().initial == Approx(239.8 / 4).epsilon(0.02));  // pi R^2 L rho v^2/2 [J], less the polygon's gaps
+}
+
+// The limit of fine meshes is 21.42 mm and 7.21 to 7.23 mm (docs/verification.md).
+TEST_CASE("Taylor bar, 1350 hexahedra with the physical hourglass control: near the limit of fine meshes") {
+  auto run = taylor::bar(taylor::mm_ms_kg, 3, 50, in<Pack<double>>);
+  run.until(taylor::mm_ms_kg.end);
+  CHECK(taylor::length(run) == Approx(21.42).epsilon(7e-3));
+  CHECK(taylor::radius(run) == Approx(7.22).epsilon(7e-3));
+  CHECK(taylor::length(run) == Approx(21.473).epsilon(1e-4));
+  CHECK(taylor::radius(run) == Approx(7.190).epsilon(1e-4));
 }
 
 TEST_CASE("Taylor bar from files of gmsh 4.8.4: the built-in mesh and its result") {

@@ -154,8 +154,8 @@ struct Hex8 {
     if constexpr (physical) {
       const HourglassModes<T> rates = rates_from([](const Vector3<T>& rate_k) { return rate_k; });
       const PointFlow<T> flow = meter(state.material, sigma, before.shear);
-      const auto answer = control.advance(state.hourglass, element, m, u, rates, turn(rates[3]), flow,
-                                            detail::Yield<M, T>(material, state.material, rate, before.shear));
+      const auto answer = control.advance(state.hourglass, element, m, u, rates, turn(rates[3]), hourglass_overlap,
+                                          flow, detail::Yield<M, T>(material, state.material, rate, before.shear));
       Q = answer.resistance, response.hourglass_work = answer.work, hourglass_rate = answer.critical_rate;
       if constexpr (requires { material.flow(state.material, V, V, V); }) {
         const SymmetricTensor<T> returned = (1.0 - answer.kept) * flow.deviator;
@@ -219,7 +219,7 @@ struct Hex8 {
         const Hex8Modes<T> u = to_modes<T>(v);
         const HourglassModes<T> rates{minus_times(u.b1, L, m.b1), minus_times(u.b2, L, m.b2),
                                       minus_times(u.b3, L, m.b3), minus_times(u.d, L, m.d)};
-        rate_alone = ViscousHourglass::critical_rate(element, hourglass.damping(element, rates, T(0.0)));
+        rate_alone = ViscousHourglass::critical_rate(element, hourglass.damping(element, rates, T(0.0), T(0.0)));
         resistance.stresses = hourglass.resistance(element, m);
       } else {
         rate_alone = hourglass.critical_rate(element);

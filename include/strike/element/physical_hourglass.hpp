@@ -169,23 +169,27 @@ struct PhysicalHourglass {
   };
 
   /// Resistance to the rates of the modes beside the stresses, a qdot: in a fluid that of ViscousHourglass. In a solid
-  /// whose nodes have the speed s in these modes it is shock viscosity, of the pressure 2 rho s^2 as much as exceeds the
-  /// flow stress: where stresses are far beyond it nothing else holds the modes.
+  /// whose nodes have the speed s in these modes it is shock viscosity, of the pressure 2 rho s^2 as much as exceeds
+  /// the flow stress: where stresses are far beyond it nothing else holds the modes. `overlap` is that of the hourglass
+  /// vectors with the gradient, |P gamma|^2/8, by which they are longer than those of a parallelepiped.
   template <class T>
-  T damping(const HourglassElement<T>& e, const HourglassModes<T>& rates, const T& flow_stress) const {
-    const T speed_squared = T(1.0 / 64.0) * squared_norm(rates);
+  T damping(const HourglassElement<T>& e, const HourglassModes<T>& rates, const T& overlap,
+            const T& flow_stress) const {
+    const T per_length_squared = 1.0 / (1.0 + overlap);
+    const T speed_squared = T(1.0 / 64.0) * per_length_squared * squared_norm(rates);
     const T excess = max(T(0.0), 2.0 * e.density * speed_squared - flow_stress);
-    const T solid = 0.25 * e.edge * e.edge * excess * rsqrt(max(T(detail::least_square<T>), speed_squared));
+    const T solid =
+        0.25 * e.edge * e.edge * per_length_squared * excess * rsqrt(max(T(detail::least_square<T>), speed_squared));
     return select(e.shear_modulus > 0.0, solid, ViscousHourglass{}.damping(e));
   }
 
   /// Advances the state over the step in which the modes moved to m at the velocities u; d_rate is that of the mode d,
-  /// turned to the end of the step. `flow` is that of the mean; `yield` gives the flow stress (strike/element/
-  /// point_flow.hpp).
+  /// turned to the end of the step; `overlap` as for the damping. `flow` is that of the mean; `yield` gives the flow
+  /// stress (strike/element/ point_flow.hpp).
   template <class T, class Yield>
   Answer<T> advance(State<T>& state, const HourglassElement<T>& e, const Hex8Modes<T>& m, const Hex8Modes<T>& u,
-                    const HourglassModes<T>& rates, const Vector3<T>& d_rate, const PointFlow<T>& flow,
-                    const Yield& yield) const {
+                    const HourglassModes<T>& rates, const Vector3<T>& d_rate, const T& overlap,
+                    const PointFlow<T>& flow, const Yield& yield) const {
     const T G2 = 2.0 * e.shear_modulus, mu = plane_ratio(e);
     const detail::MeanEdges<T> edges(m);
     const T half_w = half_frequency(e, edges), delay = delay_at(half_w);  // stress += delay dS/dt
@@ -220,14 +224,14 @@ struct PhysicalHourglass {
     bilinear_power += dot(d_rate, b) + 2.0 * delay * dot(d_rate, bilinear_rate);
     const T M = e.wave_modulus, G = e.shear_modulus, per_E = (M - G) / (G * (3.0 * M - 4.0 * G));
     const T released = (1.0 - joint) * (0.75 * per_E * q_squared + mean_squared / (3.0 * G));  // energy per volume
-    const T a = damping(e, rates, Y);
-    Answer<T> answer{.resistance = edges.resistance(e.volume, edges.sum(S, delay, stress_rate)),
-                     .critical_rate = critical_rate(e, half_w) + ViscousHourglass::critical_rate(e, a),
-                     .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power) +
-                             e.dt * a * squared_norm(rates),
-                     .kept = joint,
-                     .plastic_increment = select(solid, released * per_all, T(0.0)),
-                     .flow_stress = Y};
+    const T a = damping(e, rates, overlap, Y);
+    Answer<T> answer{
+        .resistance = edges.resistance(e.volume, edges.sum(S, delay, stress_rate)),
+        .critical_rate = critical_rate(e, half_w) + ViscousHourglass::critical_rate(e, a),
+        .work = 0.5 * e.dt * e.volume * (T(1.0 / 3.0) * linear_power + bilinear_power) + e.dt * a * squared_norm(rates),
+        .kept = joint,
+        .plastic_increment = select(solid, released * per_all, T(0.0)),
+        .flow_stress = Y};
     answer.resistance[3] = e.volume * (b + delay * bilinear_rate);
     for (std::size_t k = 0; k < 4; ++k) answer.resistance[k] = answer.resistance[k] + a * rates[k];
     return answer;
