@@ -247,11 +247,11 @@ int main() {
   constexpr auto in_double = in<Pack<double>>;
   constexpr auto in_float = in<Pack<float>>;
   constexpr auto mixed = in<Pack<float>, double>;
-  add("Hex8, elastic", Hex8{}, elastic, in_double);
-  add("Hex8, linear, von Mises", Hex8{}, Solid{linear, hardening}, in_double, in_float, mixed);
-  add("Hex8, Gruneisen, von Mises", Hex8{}, Solid{gruneisen, hardening}, in_double);
-  add("Hex8, linear, Johnson-Cook", Hex8{}, Solid{linear, johnson_cook}, in_double, in_float);
-  add("Hex8, fluid, cubic", Hex8{}, water, in_double);
+  add("Hex8, elastic", Hex8{ViscousHourglass{}}, elastic, in_double);
+  add("Hex8, linear, von Mises", Hex8{ViscousHourglass{}}, Solid{linear, hardening}, in_double, in_float, mixed);
+  add("Hex8, Gruneisen, von Mises", Hex8{ViscousHourglass{}}, Solid{gruneisen, hardening}, in_double);
+  add("Hex8, linear, Johnson-Cook", Hex8{ViscousHourglass{}}, Solid{linear, johnson_cook}, in_double, in_float);
+  add("Hex8, fluid, cubic", Hex8{ViscousHourglass{}}, water, in_double);
   add("Hex8Full, linear, von Mises", Hex8Full{}, Solid{linear, hardening}, in_double, in_float);
   const Homogeneous elastic_sheet{PlaneStress{elastic}, sheet_thickness};
   const Homogeneous copper_sheet{PlaneStress{Solid{linear, hardening}}, sheet_thickness};

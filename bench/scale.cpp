@@ -42,7 +42,8 @@ const Solid copper{linear, hardening};
 
 template <class... Policies>
 auto squeezed(const Mesh& mesh, Policies... policies) {
-  return Explicit{Scene{mesh.nodes, Part{Hex8{}, copper, mesh.hexahedra}, Squeeze{1e3}}, {}, policies...};
+  return Explicit{
+      Scene{mesh.nodes, Part{Hex8{ViscousHourglass{}}, copper, mesh.hexahedra}, Squeeze{1e3}}, {}, policies...};
 }
 std::size_t steps(const Mesh& mesh) { return std::max<std::size_t>(4, 1000000 / mesh.hexahedra.size()); }
 template <class Run>

@@ -57,11 +57,11 @@ Problem problem(std::string name, Run run) {
 
 /// Taylor's bar (tests/problems/taylor_bar.hpp).
 Problem taylor_bar(Index cells, Index layers) {
-  return problem(detail::joined({"Taylor bar, ", std::to_string(cells), " x ", std::to_string(layers)}),
-                 [=](const auto& bound) {
-                   return outcome(taylor::bar(taylor::mm_ms_kg, cells, layers, in<Pack<double>>, Hex8{}, bound),
-                                  taylor::mm_ms_kg.end, [](const auto& run) { return taylor::length(run); });
-                 });
+  return problem(
+      detail::joined({"Taylor bar, ", std::to_string(cells), " x ", std::to_string(layers)}), [=](const auto& bound) {
+        return outcome(taylor::bar(taylor::mm_ms_kg, cells, layers, in<Pack<double>>, Hex8{ViscousHourglass{}}, bound),
+                       taylor::mm_ms_kg.end, [](const auto& run) { return taylor::length(run); });
+      });
 }
 
 /// A block of steel that strikes a rigid wall with its face z = 0, its cells growing away from there. Metres, seconds,
@@ -72,7 +72,8 @@ Problem block(std::string name, double speed, const std::array<double, 3>& gradi
     const Mesh mesh = box({.size = {size, size, size}, .cells = {16, 16, 16}, .grading = grading});
     const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 167e9},
                       VonMises{.shear_modulus = 77e9, .yield_stress = 400e6, .hardening_modulus = 1e9}};
-    return outcome(Explicit{Scene{mesh.nodes, Part{Hex8{}, steel, mesh.hexahedra}, InitialVelocity{{0, 0, -speed}},
+    return outcome(Explicit{Scene{mesh.nodes, Part{Hex8{ViscousHourglass{}}, steel, mesh.hexahedra},
+                                  InitialVelocity{{0, 0, -speed}},
                                   Symmetry{Axis::z, nodes_where(mesh.nodes, on_plane(Axis::z, 0))}},
                             ExplicitOptions{}, bound},
                    100e-6, [](const auto& run) { return 1e3 * taylor::length(run); });

@@ -133,9 +133,9 @@ struct Block {
     const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 167e9},
                       VonMises{.shear_modulus = 77e9, .yield_stress = 400e6, .hardening_modulus = 1e9}};
     const auto middle = mesh.hexahedra.begin() + mesh.hexahedra.size() / 10;
-    return Scene{mesh.nodes, Part{Hex8{}, steel, Cells<8>(mesh.hexahedra.begin(), middle)},
-                 Part{Hex8{}, steel, Cells<8>(middle, mesh.hexahedra.end())}, InitialVelocity{{0, 0, -speed}},
-                 Symmetry{Axis::z, nodes_where(mesh.nodes, on_plane(Axis::z, 0))}};
+    return Scene{mesh.nodes, Part{Hex8{ViscousHourglass{}}, steel, Cells<8>(mesh.hexahedra.begin(), middle)},
+                 Part{Hex8{ViscousHourglass{}}, steel, Cells<8>(middle, mesh.hexahedra.end())},
+                 InitialVelocity{{0, 0, -speed}}, Symmetry{Axis::z, nodes_where(mesh.nodes, on_plane(Axis::z, 0))}};
   }
 };
 

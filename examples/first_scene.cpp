@@ -25,9 +25,9 @@ int main() try {  // millimetres, milliseconds, kilograms; so kN, GPa and J
   double length = 0, radius = 0;
   for (const Eigen::Vector3d& x : run.positions())
     length = std::max(length, x.z()), radius = std::max(radius, std::hypot(x.x(), x.y()));
-  Results results;  // beside those of X3D (Brockman and Held 1991)
+  Results results;  // beside those of X3D (Brockman and Held 1991) and the limit of fine meshes
   results.add({"final length", length, "mm", 21.47, 0.08, "X3D"});
-  results.add({"foot radius", radius, "mm", 7.081, 0.08, "X3D"});
+  results.add({"foot radius", radius, "mm", 7.22, 0.05, "fine meshes"});
   results.add({"largest plastic strain", *std::max_element(strain.begin(), strain.end()), "1", 2.95, 0.12, "X3D"});
   results.add({"energy error", run.energy().error(), "1", 0, 1e-3, "balance"});
   results.print(), results.write("results.csv");

@@ -34,9 +34,9 @@ struct Blocks {
   auto run(const Policies&... policies) const {
     std::vector<Index> upper;
     for (Index i = static_cast<Index>(lower.nodes.size()); i < mesh.nodes.size(); ++i) upper.push_back(i);
-    return Explicit{Scene{mesh.nodes, Part{Hex8{}, Solid{bench::linear, bench::hardening}, mesh.hexahedra},
-                          Contact{NodeToSurface{nodes, Surface{faces}}, policies...},
-                          InitialVelocity{{0.5, 0.3, -2}, upper}}};
+    return Explicit{
+        Scene{mesh.nodes, Part{Hex8{ViscousHourglass{}}, Solid{bench::linear, bench::hardening}, mesh.hexahedra},
+              Contact{NodeToSurface{nodes, Surface{faces}}, policies...}, InitialVelocity{{0.5, 0.3, -2}, upper}}};
   }
 };
 
@@ -84,7 +84,7 @@ void strike_plates(benchmark::State& bench, int threads, int count, const Contac
     Explicit run{
         Scene{mesh.nodes,
               Part{Plate4{}, Homogeneous{PlaneStress{Solid{bench::linear, bench::hardening}}, h}, mesh.quadrilaterals},
-              Part{Hex8{}, Solid{bench::linear, bench::hardening}, mesh.hexahedra}, contacts...,
+              Part{Hex8{ViscousHourglass{}}, Solid{bench::linear, bench::hardening}, mesh.hexahedra}, contacts...,
               InitialVelocity{{0.3, 0.2, -20}, block}},
         ExplicitOptions{.print_warnings = false}, OpenMP{.threads = threads}};
     const auto in_touch = [&] {

@@ -38,7 +38,8 @@ void steps(benchmark::State& state, Run run, std::size_t elements) {
 template <class T>
 void hexahedra(benchmark::State& state, std::array<Index, 3> cells) {
   const Mesh bar = bench::bar(cells);
-  steps(state, Explicit{Scene{bar.nodes, Part{Hex8{}, copper, bar.hexahedra}, bench::Squeeze{}}, {}, in<T>},
+  steps(state,
+        Explicit{Scene{bar.nodes, Part{Hex8{ViscousHourglass{}}, copper, bar.hexahedra}, bench::Squeeze{}}, {}, in<T>},
         bar.hexahedra.size());
 }
 

@@ -108,7 +108,7 @@ void in(const std::string& number) {
   add("gradient", gradient<T>);
   add("viscous hourglass", [](auto& bench) { hourglass<T>(bench, ViscousHourglass{}); });
   add("stiffness hourglass", [](auto& bench) { hourglass<T>(bench, StiffnessHourglass{}); });
-  add("Hex8", [](auto& bench) { advance<T>(bench, Hex8{}); });
+  add("Hex8", [](auto& bench) { advance<T>(bench, Hex8{ViscousHourglass{}}); });
   add("Hex8, physical hourglass", [](auto& bench) { advance<T>(bench, Hex8{PhysicalHourglass{}}); });
   add("Hex8, stiffness hourglass", [](auto& bench) { advance<T>(bench, Hex8{StiffnessHourglass{}}); });
   add("Hex8, no hourglass control", [](auto& bench) { advance<T>(bench, Hex8{NoHourglass{}}); });

@@ -27,7 +27,7 @@ Group elements() {
   constexpr BulkViscosity viscosity;
   return {"Element",
           {hexahedra.of_element("no hourglass control", Hex8{NoHourglass{}}),
-           hexahedra.of_element("physical hourglass control", Hex8{PhysicalHourglass{}}),
+           hexahedra.of_element("physical hourglass control, as Hex8{} has it", Hex8{PhysicalHourglass{}}),
            hexahedra.of_element("stiffness hourglass control", Hex8{StiffnessHourglass{}}),
            hexahedra.of_element("Jaumann", Hex8{hourglass, Jaumann{}}),
            hexahedra.of_element("end of step", Hex8{hourglass, HughesWinget{}, viscosity, EndStep{}}),
@@ -50,7 +50,8 @@ Group tetrahedron_elements() {
 Group ledger() {
   const ExplicitOptions unbalanced{.energy_tolerance = std::numeric_limits<double>::infinity()};
   return {"Energy ledger, always there", {feature("without the works of the elements", [=] {
-            return started(hexahedra.scene(Silent<Hex8<>>{Hex8{}}, copper), unbalanced);
+            return started(hexahedra.scene(Silent<Hex8<ViscousHourglass>>{Hex8{ViscousHourglass{}}}, copper),
+                           unbalanced);
           })}};
 }
 

@@ -110,7 +110,7 @@ inline const Solid copper{bench::linear, bench::hardening};
 
 /// 100,000 hexahedra, squeezed.
 inline const Mesh bar = bench::bar({40, 50, 50});
-inline const Usual hexahedra{bar.nodes, bar.hexahedra, Hex8{}, copper, bench::Squeeze{}};
+inline const Usual hexahedra{bar.nodes, bar.hexahedra, Hex8{ViscousHourglass{}}, copper, bench::Squeeze{}};
 
 /// 101,400 tetrahedra, squeezed.
 inline const Mesh split_bar = tetrahedralized(bench::bar({25, 26, 26}));

@@ -28,14 +28,15 @@ Group strengths() {
 }
 
 Group failures() {
-  return {"Failure",
-          {hexahedra.of_material("UltimateStress", Solid{linear, hardening, UltimateStress{.ultimate_stress = 1e12}}),
-           hexahedra.of_material("FailureStrain", Solid{linear, hardening, FailureStrain{.failure_strain = 100}}),
-           hexahedra.of_material("none, given as NoFailure", Solid{linear, hardening, NoFailure{}}),
-           feature("Erosion of the part", [] {
-             return started(
-                 Scene{bar.nodes, Part{Hex8{}, copper, bar.hexahedra, Erosion{.strain = 100}}, bench::Squeeze{}});
-           })}};
+  return {
+      "Failure",
+      {hexahedra.of_material("UltimateStress", Solid{linear, hardening, UltimateStress{.ultimate_stress = 1e12}}),
+       hexahedra.of_material("FailureStrain", Solid{linear, hardening, FailureStrain{.failure_strain = 100}}),
+       hexahedra.of_material("none, given as NoFailure", Solid{linear, hardening, NoFailure{}}),
+       feature("Erosion of the part", [] {
+         return started(Scene{bar.nodes, Part{Hex8{ViscousHourglass{}}, copper, bar.hexahedra, Erosion{.strain = 100}},
+                              bench::Squeeze{}});
+       })}};
 }
 
 Group equations_of_state() {

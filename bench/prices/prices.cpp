@@ -71,8 +71,8 @@ std::vector<Chapter> all() {
   return {{R"(
 ## Hexahedra
 
-The usual is a bar of 100 000 `Hex8{}` (one point, viscous hourglass control, the rotation of Hughes and Winget at
-mid-step, bulk viscosity) of copper with `LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core,
+The usual is a bar of 100 000 `Hex8{ViscousHourglass{}}` (one point, the rotation of Hughes and Winget at mid-step, bulk
+viscosity; `Hex8{}` has its own row) of copper with `LinearEos` and `VonMises` with linear hardening, in `Pack<double>`, on one core,
 squeezed so that every element yields.
 )",
            hexahedra.itself("the usual"),

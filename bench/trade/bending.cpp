@@ -149,12 +149,14 @@ constexpr auto hinge = [](const auto& element, auto numbers, const Setting& sett
 
 /// The viscous control flows under loads that stay.
 constexpr auto at_rest_elements = [](auto& cases) {
-  cases.add("physical hourglass", Hex8{PhysicalHourglass{}});
-  cases.add("physical hourglass, mixed", Hex8{PhysicalHourglass{}}, in<Pack<float>, double>);
+  cases.add("usual", Hex8{});
+  cases.add("mixed", Hex8{}, in<Pack<float>, double>);
   cases.add("stiffness hourglass 0.005", Hex8{StiffnessHourglass{.coefficient = 0.005}});
   cases.add("stiffness hourglass 0.05", Hex8{StiffnessHourglass{.coefficient = 0.05}});
   cases.add("8 points", Hex8Full{});
 };
+
+constexpr auto viscous = [](auto& cases) { cases.add("viscous hourglass 0.1", Hex8{ViscousHourglass{}}); };
 
 template <Edges edges>
 Problem slender_beam(const char* name, const char* title) {
@@ -190,7 +192,7 @@ std::vector<Problem> bending() {
                    .title = "Plastic hinge of a cantilever",
                    .error = "force against that of the plastic moment at the foot",
                    .meshes = {"20 x 1", "40 x 2", "80 x 4"}},
-                  hinge, usual, at_rest_elements)};
+                  hinge, at_rest_elements, viscous)};
 }
 
 }  // namespace trade

@@ -53,8 +53,8 @@ constexpr auto splash = [](const auto& element, auto numbers, const Setting& set
 
 constexpr auto soft_bodies = [](auto& cases) {
   cases.add("Hex8", Hex8{});
-  cases.add("Hex8, physical hourglass", Hex8{PhysicalHourglass{}});
-  cases.add("Hex8, hourglass 0.05", Hex8{ViscousHourglass{.coefficient = 0.05}});
+  cases.add("Hex8, viscous hourglass 0.1", Hex8{ViscousHourglass{}});
+  cases.add("Hex8, viscous hourglass 0.05", Hex8{ViscousHourglass{.coefficient = 0.05}});
   cases.add("Tet4, own pressure", Tet4{ElementPressure{}});
   cases.add("Tet4, half of it the nodes'", Tet4{NodalPressure{0.5}});
   cases.add("Tet4, 0.9 of it the nodes'", Tet4{});

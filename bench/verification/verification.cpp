@@ -48,7 +48,7 @@ void report_bar(const char* name, Run& run, const Band& L, const Band& R, const 
 auto bar_on_unilateral_wall(Index cells, Index layers) {
   const Mesh mesh = cylinder({.radius = 3.2, .length = 32.4, .cells = cells, .layers = layers});
   const auto on = [&](Axis axis) { return nodes_where(mesh.nodes, on_plane(axis, 0)); };
-  return Explicit{Scene{mesh.nodes, Part{Hex8{}, taylor::copper(taylor::mm_ms_kg), mesh.hexahedra},
+  return Explicit{Scene{mesh.nodes, Part{Hex8{ViscousHourglass{}}, taylor::copper(taylor::mm_ms_kg), mesh.hexahedra},
                         InitialVelocity{{0, 0, -227}}, Symmetry{Axis::x, on(Axis::x)}, Symmetry{Axis::y, on(Axis::y)},
                         RigidWall{{0, 0, 0}, {0, 0, 1}}}};
 }
@@ -136,7 +136,7 @@ int main(int count, char** arguments) {
   }
   if (is_wanted("D7 pressure of nodes")) bird("D7 pressure of nodes", 1.0);
   if (is_wanted("D7 blend")) bird("D7 blend", 0.9);
-  if (is_wanted("D8 Hex8")) many_revolutions("D8 Hex8", Hex8{});
+  if (is_wanted("D8 Hex8")) many_revolutions("D8 Hex8", Hex8{ViscousHourglass{}});
   if (is_wanted("D2 undamped")) incompressible_cubes("D2 undamped");
   if (is_wanted("Hertz 12")) ball_on_plane("Hertz 12", 12, 20);
   if (is_wanted("Hertz 18")) ball_on_plane("Hertz 18", 18, 40);

@@ -13,10 +13,10 @@
 
 namespace strike {
 
-/// The eight-node hexahedron with one point, the mean stress and hourglass control of Flanagan and Belytschko (1981),
-/// written in its own modes. Policies: hourglass control, rotation of the tensors, bulk viscosity, and the instant of
+/// The eight-node hexahedron with one point and the mean stress of Flanagan and Belytschko (1981), written in its own
+/// modes; the usual hourglass control is by the stresses that the material has beside the mean. Policies: hourglass control, rotation of the tensors, bulk viscosity, and the instant of
 /// the step at which the motion is measured.
-///   Hex8{}   Hex8{StiffnessHourglass{.coefficient = 0.01}}   Hex8{ViscousHourglass{}, Jaumann{}, NoBulkViscosity{}}
+///   Hex8{}   Hex8{ViscousHourglass{}}   Hex8{StiffnessHourglass{.coefficient = 0.01}, Jaumann{}, NoBulkViscosity{}}
 template <class Hourglass = PhysicalHourglass, class Spin = HughesWinget, class Viscosity = BulkViscosity,
           class Instant = MidStep>
 struct Hex8 {
