@@ -32,6 +32,7 @@ Group elements() {
            hexahedra.of_element("Jaumann", Hex8{hourglass, Jaumann{}}),
            hexahedra.of_element("end of step", Hex8{hourglass, HughesWinget{}, viscosity, EndStep{}}),
            hexahedra.of_element("Jaumann, end of step", Hex8{hourglass, Jaumann{}, viscosity, EndStep{}}),
+           hexahedra.of_element("bulk viscosity both ways", Hex8{hourglass, HughesWinget{}, BulkViscosityBothWays{}}),
            hexahedra.of_element("no bulk viscosity", Hex8{hourglass, HughesWinget{}, NoBulkViscosity{}}),
            hexahedra.of_element("the least: no control, Jaumann, no bulk viscosity, end of step",
                                 Hex8{NoHourglass{}, Jaumann{}, NoBulkViscosity{}, EndStep{}}),

@@ -49,6 +49,7 @@ constexpr auto rotations = [](auto& cases) {
 };
 
 constexpr auto bulk_viscosities = [](auto& cases) {
+  cases.add("bulk viscosity both ways", Hex8{PhysicalHourglass{}, HughesWinget{}, BulkViscosityBothWays{}});
   cases.add("no bulk viscosity", Hex8{PhysicalHourglass{}, HughesWinget{}, NoBulkViscosity{}});
 };
 

@@ -145,6 +145,7 @@ TEST_CASE("conformance: wrong numbers of elements are refused") {
   const auto refuses = [&](const auto& model) { testing::refuses_wrong_numbers(model, tried); };
   refuses(Hex8{});
   refuses(Hex8{StiffnessHourglass{}, Jaumann{}, BulkViscosity{}, EndStep{}});
+  refuses(Hex8{ViscousHourglass{}, Jaumann{}, BulkViscosityBothWays{}, EndStep{}});
   refuses(Hex8Full{});
   refuses(Tet4{});
   refuses(Plate4{});

@@ -15,6 +15,18 @@ TEST_CASE("bulk viscosity is rho l |tr D| (C0^2 l |tr D| + C1 c) in compression,
   CHECK(viscosity.pressure(rho * c * c, l / c, 0.0) == 0);
 }
 
+TEST_CASE("bulk viscosity both ways is the same in compression, and in expansion rho l tr D C1 c against it") {
+  const double rho = 2, c = 3, l = 0.5, C1 = 0.06;
+  const BulkViscosityBothWays both{.linear = C1};
+  for (const double rate : {1e-6, 0.1, 1.0, 30.0}) {
+    CHECK(both.pressure(rho * c * c, l / c, -rate) == BulkViscosity{}.pressure(rho * c * c, l / c, -rate));
+    CHECK(both.pressure(rho * c * c, l / c, rate) == Approx(-rho * l * rate * C1 * c));
+    CHECK(both.coefficient(18.0, 0.2, rate) == BulkViscosity{}.coefficient(18.0, 0.2, rate));
+  }
+  BulkViscosityBothWays::State<double> state;
+  CHECK(both.work(state, -2.0, 0.1) == Approx(0.5 * 2 * 0.1));  // expansion dissipates
+}
+
 TEST_CASE("the coefficient that the stable step knows is the slope of the pressure") {
   using D = Dual<double, 1>;
   const BulkViscosity viscosity;

@@ -53,7 +53,8 @@ struct Forgetful {
 
 }  // namespace
 
-static_assert(ShockViscosity<BulkViscosity> && ShockViscosity<NoBulkViscosity>);
+static_assert(ShockViscosity<BulkViscosity> && ShockViscosity<BulkViscosityBothWays> &&
+              ShockViscosity<NoBulkViscosity>);
 static_assert(!ShockViscosity<EndStep> && !ShockViscosity<HughesWinget> && !ShockViscosity<WithoutCoefficient> &&
               !ShockViscosity<int>);
 static_assert(MeasuringInstant<MidStep> && MeasuringInstant<EndStep>);

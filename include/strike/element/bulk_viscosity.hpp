@@ -42,6 +42,36 @@ struct BulkViscosity {
   }
 };
 
+/// BulkViscosity whose linear term acts in expansion too, as in Abaqus/Explicit: behind a release stresses do not ring,
+/// so that tension does not overshoot and tear what would hold. Matter that flies apart without strength feels a pull
+/// of C1 rho c l tr D, which BulkViscosity spares it.
+struct BulkViscosityBothWays {
+  double quadratic = 1.5;  ///< C0, in compression
+  double linear = 0.06;    ///< C1
+
+  void ranges(const auto& number) const { in_compression().ranges(number); }
+
+  template <class T>
+  using State = BulkViscosity::State<T>;
+
+  template <class T>
+  T pressure(const T& wave_modulus, const T& tau, const T& rate) const {
+    const T s = -rate * tau;
+    return wave_modulus * s * (quadratic * quadratic * max(T(0.0), s) + linear);
+  }
+  template <class T>
+  T coefficient(const T& wave_modulus, const T& tau, const T& rate) const {
+    return in_compression().coefficient(wave_modulus, tau, rate);
+  }
+  template <class T>
+  T work(State<T>& state, const T& q, const T& dV) const {
+    return in_compression().work(state, q, dV);
+  }
+
+ private:
+  constexpr BulkViscosity in_compression() const { return {quadratic, linear}; }
+};
+
 /// Absence of bulk viscosity.
 struct NoBulkViscosity {
   template <class T>

@@ -14,8 +14,8 @@
 namespace strike {
 
 /// The eight-node hexahedron with one point and the mean stress of Flanagan and Belytschko (1981), written in its own
-/// modes; the usual hourglass control is by the stresses that the material has beside the mean. Policies: hourglass control, rotation of the tensors, bulk viscosity, and the instant of
-/// the step at which the motion is measured.
+/// modes; the usual hourglass control is by the stresses that the material has beside the mean. Policies: hourglass
+/// control, rotation of the tensors, bulk viscosity, and the instant of the step at which the motion is measured.
 ///   Hex8{}   Hex8{ViscousHourglass{}}   Hex8{StiffnessHourglass{.coefficient = 0.01}, Jaumann{}, NoBulkViscosity{}}
 template <class Hourglass = PhysicalHourglass, class Spin = HughesWinget, class Viscosity = BulkViscosity,
           class Instant = MidStep>
@@ -32,7 +32,8 @@ struct Hex8 {
   static_assert(!has_hourglass || has_rotation,
                 "strike: the second policy of Hex8 is the rotation of its tensors: HughesWinget or Jaumann.");
   static_assert(!has_rotation || has_viscosity,
-                "strike: the third policy of Hex8 is its bulk viscosity: BulkViscosity or NoBulkViscosity.");
+                "strike: the third policy of Hex8 is its bulk viscosity: BulkViscosity, "
+                "BulkViscosityBothWays or NoBulkViscosity.");
   static_assert(!has_viscosity || has_instant,
                 "strike: the fourth policy of Hex8 is the instant at which it measures: MidStep or EndStep.");
   static_assert(!has_instant || knows_stiffness,

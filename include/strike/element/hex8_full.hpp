@@ -23,7 +23,8 @@ struct Hex8Full {
   static_assert(has_rotation,
                 "strike: the first policy of Hex8Full is the rotation of its tensors: HughesWinget or Jaumann.");
   static_assert(!has_rotation || has_viscosity,
-                "strike: the second policy of Hex8Full is its bulk viscosity: BulkViscosity or NoBulkViscosity.");
+                "strike: the second policy of Hex8Full is its bulk viscosity: BulkViscosity, "
+                "BulkViscosityBothWays or NoBulkViscosity.");
   static_assert(!has_viscosity || sound,
                 "strike: the third policy of Hex8Full is the instant at which it measures: MidStep or EndStep.");
 

@@ -74,8 +74,8 @@ struct ControlStiffness {
 ///    element and of tr D [1/time]; positive in compression.
 /// 3. `coefficient(wave_modulus, tau, rate)`: dq/d|tr D| [stress time], which the stable step takes into account.
 /// 4. `work(state, q, dV)`: dissipated in a step to the pressure q that changes the volume by dV [energy].
-/// Laws: no pressure in expansion; no energy is created.
-/// Models: BulkViscosity; NoBulkViscosity is the absence of one.
+/// Laws: no energy is created.
+/// Models: BulkViscosity, BulkViscosityBothWays; NoBulkViscosity is the absence of one.
 template <class V>
 concept ShockViscosity = requires(const V viscosity, typename V::template State<double> state, const double x) {
   { viscosity.pressure(x, x, x) } -> std::convertible_to<double>;

@@ -78,7 +78,8 @@ struct Tet4 {
   static_assert(!has_pressure || has_rotation,
                 "strike: the second policy of Tet4 is the rotation of its tensors: HughesWinget or Jaumann.");
   static_assert(!has_rotation || has_viscosity,
-                "strike: the third policy of Tet4 is its bulk viscosity: BulkViscosity or NoBulkViscosity.");
+                "strike: the third policy of Tet4 is its bulk viscosity: BulkViscosity, "
+                "BulkViscosityBothWays or NoBulkViscosity.");
   static_assert(!has_viscosity || sound,
                 "strike: the fourth policy of Tet4 is the instant at which it measures: MidStep or EndStep.");
 
