@@ -1,4 +1,5 @@
 #include <strike/element/hex8.hpp>
+#include <strike/material/eos/cubic.hpp>
 #include <strike/material/fluid.hpp>
 
 #include "conformance/element.hpp"
@@ -79,8 +80,12 @@ TEST_CASE("absent physics has no state") {
   using M = Elastic;
   using Pure = Hex8<NoHourglass, HughesWinget, NoBulkViscosity>;
   static_assert(sizeof(Pure::State<M, double>) == (1 + 6) * sizeof(double));
-  static_assert(sizeof(Hex8<>::State<M, double>) == (1 + 1 + 6) * sizeof(double));
+  static_assert(sizeof(Hex8<ViscousHourglass>::State<M, double>) == (1 + 1 + 6) * sizeof(double));
   static_assert(sizeof(Hex8<StiffnessHourglass>::State<M, double>) == (1 + 1 + 12 + 6) * sizeof(double));
-  static_assert(sizeof(Hex8<>) == 3 * sizeof(double));  // Q, C0, C1
+  static_assert(sizeof(Hex8<PhysicalHourglass>::State<M, double>) == (1 + 1 + 12 + 6) * sizeof(double));
+  using Water = Fluid<CubicEos>;
+  static_assert(sizeof(Hex8<PhysicalHourglass>::State<Water, double>) ==
+                sizeof(Hex8<ViscousHourglass>::State<Water, double>));
+  static_assert(sizeof(Hex8<ViscousHourglass>) == 3 * sizeof(double));  // Q, C0, C1
   SUCCEED();
 }
