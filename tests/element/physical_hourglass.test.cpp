@@ -282,6 +282,23 @@ TEST_CASE("physical hourglass: the flow of a law that tells nothing is seen by i
   CHECK((after(silent) - f).norm() < 0.01 * f.norm());  // it does not yield with its mean where both are small
 }
 
+TEST_CASE("physical hourglass: what exceeds the flow stress of the pressure 2 rho s^2 in the modes is resisted") {
+  const double rho = 3, V = 8, Y = 5;
+  const HourglassElement<double> e{
+      .density = rho, .volume = V, .edge = 2, .per_mass = 1 / (rho * V), .shear_modulus = 1};
+  const auto damping = [&](double s, double overlap) {  // the nodes move at s in the mode b1, for they are 8
+    const HourglassModes<double> rates{Eigen::Vector3d(0, 8 * s, 0), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                       Eigen::Vector3d::Zero()};
+    return PhysicalHourglass{}.damping(e, rates, overlap, Y);
+  };
+  const double s = std::sqrt(Y / (2 * rho));
+  CHECK(damping(0, 0) == 0);
+  CHECK(damping(0.999 * s, 0) == 0);
+  CHECK(damping(3 * s, 0) == Approx(0.25 * std::pow(V, 2.0 / 3) * (9 - 1) * Y / (3 * s)));
+  // Hourglass vectors twice as long measure twice the speed, and their square in the resistance counts no more.
+  CHECK(damping(6 * s, 3) == Approx(0.25 * damping(3 * s, 0)));
+}
+
 TEST_CASE("controls by stiffness: a fluid, and a solid that has become one, get the viscous control") {
   testing::Shapes<8> shapes(8, unit_cube(), 0.15);
   const Fluid water{CubicEos{.density = 1, .C1 = 2.2, .C2 = 9.5, .C3 = 14.6}};

@@ -185,7 +185,7 @@ struct PhysicalHourglass {
 
   /// Advances the state over the step in which the modes moved to m at the velocities u; d_rate is that of the mode d,
   /// turned to the end of the step; `overlap` as for the damping. `flow` is that of the mean; `yield` gives the flow
-  /// stress (strike/element/ point_flow.hpp).
+  /// stress (point_flow.hpp).
   template <class T, class Yield>
   Answer<T> advance(State<T>& state, const HourglassElement<T>& e, const Hex8Modes<T>& m, const Hex8Modes<T>& u,
                     const HourglassModes<T>& rates, const Vector3<T>& d_rate, const T& overlap,

@@ -65,7 +65,7 @@ auto moduli_at_rest(const M& material) {
 ///     `flow_stress(state, rate)` [stress] of the rate of plastic strain [1/time], and `flow_is_rate_independent` if it
 ///     is; `flow(state, kept, increment, flow_stress)`, flow beyond that of the mean stress
 ///     (strike/material/solid.hpp).
-/// 18. `has_shear_modulus`, false of a material whose shear modulus is always 0: see has_shear_modulus.
+/// 18. `has_shear_modulus`: false, if the shear modulus is always 0, so that no hourglass control looks for one.
 /// Laws (tests/conformance): at rest the stress does not grow (but where a viscoelastic one recovers); lane i of a pack
 /// gives what a double gives; a closed cycle of strain gives no energy back; rho c^2 + 2 viscosity/dt bounds the
 /// tangent; in a step without time, dt = 0, the remembered stress stays and a section's normal_rate is finite.
@@ -93,7 +93,7 @@ concept PlateSection = Material<M> && std::same_as<typename M::Kinematics, Plate
   { m.rotary_inertia() } -> std::convertible_to<double>;
 };
 
-/// The material may have a shear modulus; one that says it never has is spared what hourglass control does by it.
+/// The shear modulus of the material may be above 0.
 template <class M>
 constexpr bool has_shear_modulus() {
   if constexpr (requires { M::has_shear_modulus; })
