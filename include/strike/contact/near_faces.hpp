@@ -10,6 +10,7 @@
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/search.hpp>
 #include <strike/contact/target.hpp>
+#include <strike/contact/touched_faces.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
 
@@ -20,12 +21,17 @@ namespace strike::detail {
 template <bool self>
 class NearFaces {
  public:
-  /// Searches faces within `reach` of the nodes, and a `margin` more [length].
-  template <Execution E = Serial>
-  void sort(const ContactNodes& all, std::span<const Index> nodes, const Target& target, double reach, double margin,
-            const E& execution = {}) {
+  /// Searches the faces that nodes touch within a `margin` [length], but for those that `never(i, f)` meet.
+  template <class Never, Execution E = Serial>
+  void sort(const ContactNodes& all, std::span<const Index> nodes, const TouchedFaces& faces, double margin,
+            const Never& never, const E& execution = {}) {
     ++sorts_;
-    const double apart = search_.sort(nodes, target.faces(), all.x, reach + margin, execution);
+    const Target& target = faces.target;
+    const double depth = faces.largest_depth();
+    const auto less = [&](Index s, Index f) {
+      return never(nodes[s], f) ? std::numeric_limits<double>::infinity() : depth - faces.largest_depth(nodes[s], f);
+    };
+    const double apart = search_.sort(nodes, target.faces(), all.x, depth + margin, execution, less);
     margin_ = margin + apart, travelled_ = 0;
     wake_all();
     largest_inverse_mass_ = 0;
@@ -36,12 +42,12 @@ class NearFaces {
       largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(nodes[s]) + corner);
     }
   }
-  /// Searches again if nodes and faces may have moved by the margin at the end of a step; `size` is that of the faces.
-  template <class Execution>
-  void update(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target, double reach, double size,
-              double dt, const Execution& execution) {
+  /// Searches again if nodes and faces may have moved by the margin at the end of a step.
+  template <class Never, class Execution>
+  void update(const ContactNodes& all, const std::vector<Index>& nodes, const TouchedFaces& faces, double dt,
+              const Never& never, const Execution& execution) {
     if (corners_.empty()) {
-      for (const auto& face : target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
+      for (const auto& face : faces.target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
       corners_ = ascending(std::move(corners_));
     }
     // The way of the last step, with all impulses, takes the place of the one that was expected.
@@ -51,7 +57,7 @@ class NearFaces {
     step_reach_ = dt * speed_;
     // Twice the way, so that the step after this one is seen too.
     if (!(travelled_ + 2 * step_reach_ <= margin_))
-      sort(all, nodes, target, reach, std::max(8 * step_reach_, 0.5 * size), execution);
+      sort(all, nodes, faces, std::max(8 * step_reach_, 0.5 * faces.size), never, execution);
     travelled_ += step_reach_;
   }
   /// Bound of the way of a node relative to a face in this step, or in the last one [length].
