@@ -162,15 +162,17 @@ class Approach {
   void choose_nodes(const Rounding& rounding) {
     chosen_.clear();
     std::size_t touch = 0;
-    auto awake = near_.awake().begin();
-    while (touch < touches_.size() || awake != near_.awake().end()) {
-      const bool touches = touch < touches_.size() && (awake == near_.awake().end() || touches_[touch].node <= *awake);
-      const Index s = touches ? touches_[touch].node : *awake;
-      if (awake != near_.awake().end() && *awake == s) ++awake;
+    const auto choose = [&](Index s) {
       const std::size_t first = touch;
       while (touch < touches_.size() && touches_[touch].node == s) ++touch;
-      if (touches || !near_.rests(s) || rounding.has(nodes_[s])) chosen_.push_back({s, first, touch});
-    }
+      chosen_.push_back({s, first, touch});
+    };
+    const auto choose_touches_before = [&](Index s) {
+      while (touch < touches_.size() && touches_[touch].node < s) choose(touches_[touch].node);
+    };
+    for (const Index s : near_.awake())
+      if (!near_.rests(s) || rounding.has(nodes_[s])) choose_touches_before(s), choose(s);
+    choose_touches_before(static_cast<Index>(nodes_.size()));
   }
   /// Follows the touches of a node and begins others.
   void visit(const Chosen& chosen, const ContactNodes& all, double dt, const Rounding& rounding, Found& found) {
@@ -211,8 +213,8 @@ class Approach {
   bool begins_touch(Index s, std::size_t first, const ContactNodes& all, double dt, bool comes_round, bool looks_at_all,
                     Found& found) {
     const Index i = nodes_[s];
-    FirstTouch met(i, faces_, all, dt, std::span(found.touches).subspan(first),
-                         std::span(found.pairs).subspan(first), comes_round, near_.reach());
+    FirstTouch met(i, faces_, all, dt, std::span(found.touches).subspan(first), std::span(found.pairs).subspan(first),
+                   comes_round, near_.reach());
     near_.each_awake(s, looks_at_all, [&](Index f) { return met.consider(f); });
     const auto place = met.place();
     if (!place) return false;

@@ -204,8 +204,7 @@ class EdgeApproach {
       if (never_meet(p, q)) return std::numeric_limits<double>::infinity();
       return largest_depth_ - largest_depth(p, q) + 0.5 * (longest - (all.x[p.ends[1]] - all.x[p.ends[0]]).norm());
     };
-    const double apart =
-        search_.sort(middles, others, x, largest_depth_ + 0.5 * longest + margin, Serial{}, less);
+    const double apart = search_.sort(middles, others, x, largest_depth_ + 0.5 * longest + margin, Serial{}, less);
     margin_ = margin + apart, travelled_ = 0;
     wakes_.assign(search_.size(), 0.0);
   }

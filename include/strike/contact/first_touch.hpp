@@ -45,6 +45,12 @@ class FirstTouch {
   /// long as the node's touches stay on their faces [length].
   double consider(Index f) {
     const Corners X = faces_.target.corners(f, all_.x);
+    const bool slack = comes_round_ && !faces_.is_at_a_distance(i_, f);
+    const double deep = faces_.largest_depth(i_, f) + (slack ? faces_.slack() : 0);
+    if (touches_.empty()) {
+      const double far = distance_of_sphere(X, all_.x[i_]) - deep;
+      if (far > 8 * farthest_) return far;
+    }
     const Disc disc(X, all_.x[i_], faces_.target.count(f) == 3);
     for (const Touch& touch : touches_) {  // a face that goes on from one that the node touches
       if (touch.face == f) return never;
@@ -55,8 +61,7 @@ class FirstTouch {
         return turns * std::sqrt(disc.area2 / disc.radius2) / 32;
       }
     }
-    const bool slack = comes_round_ && !faces_.is_at_a_distance(i_, f);
-    const double deep = faces_.largest_depth(i_, f) + (slack ? faces_.slack() : 0), clearance = disc.distance() - deep;
+    const double clearance = disc.distance() - deep;
     if (clearance > farthest_ || (clearance > 0 && clearance > way_to(f) + faces_.tolerance())) return clearance;
     Reach reach = faces_.reach(i_, f);
     if (slack) reach.slack = faces_.slack();
@@ -80,6 +85,13 @@ class FirstTouch {
   static constexpr double never = std::numeric_limits<double>::infinity();
   static constexpr double in_line = 0.9;  // cosine of normals, from which on a face goes on from another
 
+  /// The distance of a node from a sphere around the corners of a face.
+  [[gnu::flatten]] static double distance_of_sphere(const Corners& X, const Eigen::Vector3d& x) {
+    const Eigen::Vector3d middle = 0.25 * (X[0] + X[1] + X[2] + X[3]);
+    double radius2 = 0;
+    for (const Eigen::Vector3d& corner : X) radius2 = std::max(radius2, (corner - middle).squaredNorm());
+    return (x - middle).norm() - std::sqrt(radius2);
+  }
   /// A disc around a face, as thick as its warp, seen from a node.
   struct Disc {
     Eigen::Vector3d area;  // normal, twice the area long

@@ -110,25 +110,15 @@ class NearFaces {
   void wake_all() { wakes_.assign(search_.size(), 0.0), first_wakes_.assign(search_.nodes(), 0.0); }
 
   /// Sets bounds of the way in the last step and of the velocity of a node relative to a face: the sum of the largest
-  /// of both relative to the mean of the faces.
+  /// of both relative to the mean of some corners of faces.
   template <class Execution>
   void find_fastest(const ContactNodes& all, const std::vector<Index>& nodes, const Execution& execution) {
-    struct Both {
-      Eigen::Vector3d way = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
-    };
-    std::vector<Both> sums(chunks(corners_.size()));
-    for_each_chunk(execution, corners_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
-      Both sum;
-      for (std::size_t k = first; k < last; ++k) {
-        const Index i = corners_[k];
-        sum.way += all.x[i] - all.x_before[i], sum.velocity += all.v[i];
-      }
-      sums[c] = sum;
-    });
-    Both mean;
-    for (const Both& sum : sums) mean.way += sum.way, mean.velocity += sum.velocity;
-    const double count = static_cast<double>(corners_.size());
-    mean.way /= count, mean.velocity /= count;
+    Eigen::Vector3d mean_way{0, 0, 0}, mean_velocity{0, 0, 0};
+    const std::size_t stride = corners_.size() / 64 + 1;
+    for (std::size_t k = 0; k < corners_.size(); k += stride)
+      mean_way += all.x[corners_[k]] - all.x_before[corners_[k]], mean_velocity += all.v[corners_[k]];
+    const double share = 1 / static_cast<double>((corners_.size() + stride - 1) / stride);
+    mean_way *= share, mean_velocity *= share;
     struct Squares {
       double way = 0, velocity = 0;
     };
@@ -138,8 +128,8 @@ class NearFaces {
         Squares of_chunk;
         for (std::size_t k = first; k < last; ++k) {
           const Index i = some[k];
-          of_chunk.way = std::max(of_chunk.way, (all.x[i] - all.x_before[i] - mean.way).squaredNorm());
-          of_chunk.velocity = std::max(of_chunk.velocity, (all.v[i] - mean.velocity).squaredNorm());
+          of_chunk.way = std::max(of_chunk.way, (all.x[i] - all.x_before[i] - mean_way).squaredNorm());
+          of_chunk.velocity = std::max(of_chunk.velocity, (all.v[i] - mean_velocity).squaredNorm());
         }
         squares[c] = of_chunk;
       });

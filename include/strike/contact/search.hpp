@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
 
@@ -50,7 +52,7 @@ class BucketSearch {
     for_each_chunk(execution, faces.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
       found_[c].clear();
       for (std::size_t f = first; f < last; ++f)
-        if (all_nodes.overlaps(boxes_[f])) look(static_cast<Index>(f), nodes, x, less, found_[c]);
+        if (all_nodes.overlaps(boxes_[f])) look(static_cast<Index>(f), less, found_[c]);
     });
     const auto each_found = [&](const auto& g) {
       for (const auto& some : found_)
@@ -123,7 +125,10 @@ class BucketSearch {
   using Bucket = std::array<std::int64_t, 3>;
   struct Filed {
     Bucket bucket;
+    Eigen::Vector3d x;
     Index node;
+
+    bool is_in(const Bucket& b) const { return bucket[0] == b[0] && bucket[1] == b[1] && bucket[2] == b[2]; }
   };
 
   Bucket bucket_of(const Eigen::Vector3d& x) const {
@@ -144,7 +149,8 @@ class BucketSearch {
     slot_begin_.assign(slots_ + 1, 0);
     filed_.clear();
     for (std::size_t s = 0; s < nodes.size(); ++s)
-      if (region.holds(x[nodes[s]])) filed_.push_back({bucket_of(x[nodes[s]]), static_cast<Index>(s)});
+      if (const Eigen::Vector3d& at = x[nodes[s]]; region.holds(at))
+        filed_.push_back({bucket_of(at), at, static_cast<Index>(s)});
     for (const Filed& filed : filed_) ++slot_begin_[slot(filed.bucket) + 1];
     for (std::size_t k = 0; k < slots_; ++k) slot_begin_[k + 1] += slot_begin_[k];
     sorted_.resize(filed_.size());
@@ -153,17 +159,16 @@ class BucketSearch {
   }
 
   template <class Less>
-  void look(Index f, std::span<const Index> nodes, std::span<const Eigen::Vector3d> x, const Less& less,
-            std::vector<Found>& found) const {
+  void look(Index f, const Less& less, std::vector<Found>& found) const {
     const Box& box = boxes_[f];
-    const auto look_at = [&](Index s) {
-      if (box.holds(x[nodes[s]]) && box.holds(x[nodes[s]], less(s, f))) found.push_back({s, f});
+    const auto look_at = [&](const Filed& filed) {
+      if (box.holds(filed.x) && box.holds(filed.x, less(filed.node, f))) found.push_back({filed.node, f});
     };
     const Bucket first = bucket_of(box.lower), last = bucket_of(box.upper);
     const double buckets = static_cast<double>(last[0] - first[0] + 1) * static_cast<double>(last[1] - first[1] + 1) *
                            static_cast<double>(last[2] - first[2] + 1);
     if (buckets > static_cast<double>(sorted_.size())) {  // a face much larger than others
-      for (const Filed& filed : sorted_) look_at(filed.node);
+      for (const Filed& filed : sorted_) look_at(filed);
       return;
     }
     for (auto k = first[2]; k <= last[2]; ++k)
@@ -172,7 +177,7 @@ class BucketSearch {
           const Bucket bucket{i, j, k};
           const std::size_t at = slot(bucket);
           for (std::size_t n = slot_begin_[at]; n < slot_begin_[at + 1]; ++n)
-            if (sorted_[n].bucket == bucket) look_at(sorted_[n].node);
+            if (sorted_[n].is_in(bucket)) look_at(sorted_[n]);
         }
   }
 
