@@ -43,8 +43,7 @@ class Approach {
     if constexpr (self) {
       if (faces_.target.largest_half() > 0) start_ = all.x, neighbourhood_.find(faces_.target, start_);
     }
-    depth_ = faces_.largest_depth();
-    near_.sort(all, nodes_, faces_.target, depth_, 0.5 * faces_.size);
+    near_.sort(all, nodes_, faces_, 0.5 * faces_.size, never());
     find_initial_depths(all, inside);
   }
   /// Other nodes and faces, both in ascending order of their numbers, after cells have gone. A touch goes on where its
@@ -70,7 +69,7 @@ class Approach {
   template <class Execution>
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, Rounding& rounding,
             const Execution& execution) {
-    near_.update(all, nodes_, faces_.target, depth_, faces_.size, step.dt, execution);
+    near_.update(all, nodes_, faces_, step.dt, never(), execution);
     choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
     found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
@@ -98,7 +97,7 @@ class Approach {
   double closing_step(const ContactNodes& all, double moved, double dt) {
     double step = dt;
     if (moved == 0 || has_changed_)  // before the first step, or after a deletion
-      near_.update(all, nodes_, faces_.target, depth_, faces_.size, dt, Serial{}), has_changed_ = false;
+      near_.update(all, nodes_, faces_, dt, never(), Serial{}), has_changed_ = false;
     if (!near_.may_close(dt, closing_share * least_edge_)) return step;
     for (const Touch& touch : touches_) {  // springs let nodes deeper
       const Index i = nodes_[touch.node];
@@ -110,7 +109,6 @@ class Approach {
     for (const Index s : near_.awake()) {
       const Index i = nodes_[s];
       near_.each_within(s, dt, [&](Index f) {
-        if (self && is_own(i, f)) return;
         const auto& corners = faces_.target.faces()[f];
         const bool is_triangle = faces_.target.count(f) == 3;
         Motion motion{{}, {}, all.x[i] + moved * all.v[i], dt * all.v[i], is_triangle};
@@ -164,15 +162,17 @@ class Approach {
   void choose_nodes(const Rounding& rounding) {
     chosen_.clear();
     std::size_t touch = 0;
-    auto awake = near_.awake().begin();
-    while (touch < touches_.size() || awake != near_.awake().end()) {
-      const bool touches = touch < touches_.size() && (awake == near_.awake().end() || touches_[touch].node <= *awake);
-      const Index s = touches ? touches_[touch].node : *awake;
-      if (awake != near_.awake().end() && *awake == s) ++awake;
+    const auto choose = [&](Index s) {
       const std::size_t first = touch;
       while (touch < touches_.size() && touches_[touch].node == s) ++touch;
-      if (touches || !near_.rests(s) || rounding.has(nodes_[s])) chosen_.push_back({s, first, touch});
-    }
+      chosen_.push_back({s, first, touch});
+    };
+    const auto choose_touches_before = [&](Index s) {
+      while (touch < touches_.size() && touches_[touch].node < s) choose(touches_[touch].node);
+    };
+    for (const Index s : near_.awake())
+      if (!near_.rests(s) || rounding.has(nodes_[s])) choose_touches_before(s), choose(s);
+    choose_touches_before(static_cast<Index>(nodes_.size()));
   }
   /// Follows the touches of a node and begins others.
   void visit(const Chosen& chosen, const ContactNodes& all, double dt, const Rounding& rounding, Found& found) {
@@ -213,8 +213,8 @@ class Approach {
   bool begins_touch(Index s, std::size_t first, const ContactNodes& all, double dt, bool comes_round, bool looks_at_all,
                     Found& found) {
     const Index i = nodes_[s];
-    FirstTouch<self> met(i, faces_, all, dt, neighbourhood_, std::span(found.touches).subspan(first),
-                         std::span(found.pairs).subspan(first), comes_round, near_.reach());
+    FirstTouch met(i, faces_, all, dt, std::span(found.touches).subspan(first), std::span(found.pairs).subspan(first),
+                   comes_round, near_.reach());
     near_.each_awake(s, looks_at_all, [&](Index f) { return met.consider(f); });
     const auto place = met.place();
     if (!place) return false;
@@ -271,16 +271,18 @@ class Approach {
     Index best = Target::none;
     double least = std::numeric_limits<double>::infinity();
     for (const Index f : near_.of(s)) {
-      if (self && (!faces_.is_at_a_distance(i, f) || is_own(i, f))) continue;
+      if (self && !faces_.is_at_a_distance(i, f)) continue;
       const double distance2 = faces_.target.closest(f, faces_.target.corners(f, all.x), all.x[i]).distance2;
       if (distance2 < least) least = distance2, best = f;
     }
     return best;
   }
-  /// A face that node i of the surface does not touch: its own, of its neighbourhood, or of a piece that is left out.
-  bool is_own(Index i, Index f) const {
-    return faces_.target.has(f, i) || (faces_.is_at_a_distance(i, f) && neighbourhood_.has(i, f)) ||
-           !faces_.target.may_touch(i, f);
+  /// The faces that a node of the surface does not touch: its own, of its neighbourhood, or of a piece left out.
+  auto never() const {
+    return [this](Index i, Index f) {
+      return self && (faces_.target.has(f, i) || (faces_.is_at_a_distance(i, f) && neighbourhood_.has(i, f)) ||
+                      !faces_.target.may_touch(i, f));
+    };
   }
   /// The normal by which a touch remembers its side.
   Eigen::Vector3d touch_normal(const Place& place, const ContactNodes& all) const {
@@ -296,7 +298,6 @@ class Approach {
   double least_edge_ = 0;              // of those and the size of the faces [length]
   bool has_changed_ = false;           // cells have gone since the last search
   NearFaces<self> near_;
-  double depth_ = 0;                    // the largest at which a node touches a face [length]
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
   Neighbourhood neighbourhood_;
 };

@@ -65,9 +65,9 @@ class ContactNodes {
   /// Copies positions and velocities from the scene and clears the impulses.
   template <class N, class E>
   void gather(const N& nodes, const E& execution) {
+    x_before.swap(x);
     detail::for_each_chunk(execution, place_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        x_before[i] = x[i];
         x[i] = N::vector_of(nodes.position()[place_[i]]);
         v[i] = N::vector_of(nodes.velocity()[place_[i]]);
       }

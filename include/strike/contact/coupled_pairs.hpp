@@ -53,14 +53,14 @@ class CoupledPairs {
   template <class Execution, class F>
   void each(const Execution& execution, const F& f) {
     for (const auto& colour : colours_)
-      execution.for_each(colour.size(), [&](std::size_t k) { each_of_block(colour[k], f); });
+      side_by_side(execution, colour.size(), [&](std::size_t k) { each_of_block(colour[k], f); });
   }
   /// The largest f(p) of all pairs.
   template <class Execution, class F>
   double largest(const Execution& execution, const F& f) {
     std::vector<double> most(blocks(), 0.0);
-    execution.for_each(
-        blocks(), [&](std::size_t b) { each_of_block(b, [&](std::size_t p) { most[b] = std::max(most[b], f(p)); }); });
+    side_by_side(execution, blocks(),
+                 [&](std::size_t b) { each_of_block(b, [&](std::size_t p) { most[b] = std::max(most[b], f(p)); }); });
     return most.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
   }
 
@@ -81,7 +81,7 @@ class CoupledPairs {
     std::vector<OfBlock> of_block(blocks());
     double momentum = 1;
     for (int iteration = 1; iteration <= most; ++iteration) {
-      execution.for_each(blocks(), [&](std::size_t b) {
+      side_by_side(execution, blocks(), [&](std::size_t b) {
         OfBlock sum;
         each_of_block(b, [&](std::size_t p) {
           if (!(response[p] > 0)) return;
@@ -124,6 +124,15 @@ class CoupledPairs {
   static double product(double a, double b) { return a * b; }
   static double product(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.dot(b); }
 
+  /// Calls f(0), ..., f(n - 1) for blocks: in turns where they are so few that threads would cost more than they save.
+  template <class Execution, class F>
+  static void side_by_side(const Execution& execution, std::size_t n, const F& f) {
+    constexpr std::size_t few = 4;
+    if (n < few)
+      Serial{}.for_each(n, f);
+    else
+      execution.for_each(n, f);
+  }
   /// Calls f(p) for the pairs of a block.
   template <class F>
   void each_of_block(std::size_t b, const F& f) const {
@@ -146,7 +155,7 @@ class CoupledPairs {
       if (of_pair[p] > 0)
         each_response<along_normals>(rows_[p], [&](std::size_t k, double a) { at_node[rows_[p].nodes[k]] += a / own; });
     });
-    execution.for_each(blocks(), [&](std::size_t b) {
+    side_by_side(execution, blocks(), [&](std::size_t b) {
       each_of_block(b, [&](std::size_t p) {
         double sum = 0;
         each_response<along_normals>(rows_[p], [&](std::size_t k, double a) { sum += a * at_node[rows_[p].nodes[k]]; });

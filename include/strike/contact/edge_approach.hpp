@@ -101,9 +101,18 @@ class EdgeApproach {
     last_.swap(touches_), touches_.clear();
     const std::size_t first_pair = pairs.size();
     for (const EdgeTouch& touch : last_) follow(touch, all, step.dt, pairs, rounding);
-    for (std::size_t s = 0; s < crests_[0].size() && !crests_[1].empty(); ++s)
-      for (const Index k : search_.near(s))
-        begin_touch(crests_[0][s], crests_[1][k], all, step.dt, pairs, touches, rounding);
+    for (const Index s : search_.awake()) {
+      double* wakes = wakes_.data() + search_.first(s);
+      for (const Index k : search_.near(s)) {
+        const Edge &p = crests_[0][s], &q = crests_[1][k];
+        if (double& wake = *wakes++; !(travelled_ < wake)) {
+          const double apart = clearance(p, q, all);
+          wake = travelled_ - reach_ + apart;
+          if (!(apart > std::max(reach_, last_reach_) + 1e-6 * size_))
+            begin_touch(p, q, all, step.dt, pairs, touches, rounding);
+        }
+      }
+    }
     for (std::size_t k = 0; k < touches_.size(); ++k) remember(pairs[first_pair + k], touches_[k]);
   }
 
@@ -111,6 +120,7 @@ class EdgeApproach {
   void serialize(Archive& archive) {
     archive(targets_[0], targets_[1], touches_, crests_[0], crests_[1], search_, neighbourhood_, margin_, travelled_,
             reach_);
+    wakes_.assign(search_.size(), 0.0);
   }
 
  private:
@@ -156,7 +166,8 @@ class EdgeApproach {
   /// Finds crests and which are near, if they may have moved by the margin at the end of the step after this one.
   void update(const ContactNodes& all, double dt) {
     // The way of the last step, with all impulses, takes the place of the one that was expected.
-    travelled_ += 2 * fastest([&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; }) - reach_;
+    last_reach_ = 2 * fastest([&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; });
+    travelled_ += last_reach_ - reach_;
     reach_ = 2 * dt * fastest([&](Index i) { return all.v[i]; });
     if (!(travelled_ + 2 * reach_ <= margin_)) sort(all, std::max(8 * reach_, 0.5 * size_));
     travelled_ += reach_;
@@ -188,8 +199,32 @@ class EdgeApproach {
       middles.push_back(static_cast<Index>(x.size())), x.push_back(0.5 * (p + q));
     }
     for (const auto& [ends, face, other] : crests_[1]) others.push_back({ends[0], ends[1], ends[1], ends[1]});
-    const double apart = search_.sort(middles, others, x, largest_depth_ + 0.5 * longest + margin);
+    const auto less = [&](Index s, Index k) {
+      const Edge &p = crests_[0][s], &q = crests_[1][k];
+      if (never_meet(p, q)) return std::numeric_limits<double>::infinity();
+      return largest_depth_ - largest_depth(p, q) + 0.5 * (longest - (all.x[p.ends[1]] - all.x[p.ends[0]]).norm());
+    };
+    const double apart = search_.sort(middles, others, x, largest_depth_ + 0.5 * longest + margin, Serial{}, less);
     margin_ = margin + apart, travelled_ = 0;
+    wakes_.assign(search_.size(), 0.0);
+  }
+  /// Edges that share a node, of a neighbourhood or of pieces left out; of two edges of one surface one stands first.
+  bool never_meet(const Edge& first, const Edge& second) const {
+    const auto& [p, q] = std::pair(first.ends, second.ends);
+    return (self && (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1] || !(p < q) ||
+                     targets_[1].are_apart(first.face, second.face))) ||
+           (!start_.empty() && (neighbourhood_.has(p[0], second.face) || neighbourhood_.has(p[1], second.face)));
+  }
+  /// A bound of how far two edges are from touching [length].
+  double clearance(const Edge& first, const Edge& second, const ContactNodes& all) const {
+    const Ends p = ends_of(first.ends, all.x), q = ends_of(second.ends, all.x);
+    return 0.5 * ((p[0] + p[1] - q[0] - q[1]).norm() - (p[1] - p[0]).norm() - (q[1] - q[0]).norm()) -
+           largest_depth(first, second);
+  }
+  /// The largest distance of the middles of two edges when they touch [length].
+  double largest_depth(const Edge& first, const Edge& second) const {
+    return std::max(targets_[0].half(first.ends[0]), targets_[0].half(first.ends[1])) +
+           std::max(targets_[1].half(second.ends[0]), targets_[1].half(second.ends[1]));
   }
 
   void follow(EdgeTouch touch, const ContactNodes& all, double dt, std::vector<ContactPair>& pairs,
@@ -230,9 +265,6 @@ class EdgeApproach {
   void begin_touch(const Edge& first, const Edge& second, const ContactNodes& all, double dt,
                    std::vector<ContactPair>& pairs, const Touches& touches, const Rounding& rounding) {
     const auto& [p, q] = std::pair(first.ends, second.ends);
-    if (self && (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1] || !(p < q))) return;
-    if (self && targets_[1].are_apart(first.face, second.face)) return;
-    if (!start_.empty() && (neighbourhood_.has(p[0], second.face) || neighbourhood_.has(p[1], second.face))) return;
     Ends way_p, way_q, back_p, back_q;
     for (std::size_t k = 0; k < 2; ++k) {
       way_p[k] = dt * all.v[p[k]], way_q[k] = dt * all.v[q[k]];
@@ -328,7 +360,8 @@ class EdgeApproach {
   std::vector<EdgeTouch> touches_, last_;  // of this step and of the last
   std::array<std::vector<Edge>, 2> crests_;
   BucketSearch search_;  // of the crests of the second near the middle of each of the first
-  double margin_ = -1, travelled_ = 0, reach_ = 0;
+  double margin_ = -1, travelled_ = 0, reach_ = 0, last_reach_ = 0;
+  std::vector<double> wakes_;           // what has to be travelled first, of each edge near another
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
   Neighbourhood neighbourhood_;
 };

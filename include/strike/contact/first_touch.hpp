@@ -11,7 +11,6 @@
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/crossing.hpp>
 #include <strike/contact/follow_touch.hpp>
-#include <strike/contact/neighbourhood.hpp>
 #include <strike/contact/target.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/contact/touched_faces.hpp>
@@ -23,13 +22,12 @@ namespace strike::detail {
 /// The faces that a node meets from outside, in the step to come with its present velocity or in the last one as it
 /// was, for impulses of other pairs may have carried it in. The first counts; of those that it meets at once, on their
 /// common edge, each by its rate of approach: a face along which it flies does not, a ridge gives its mean.
-/// `neighbourhood` is that of self-contact of plates, `touches` are those that the node has already, in
-/// `pairs`; a node that comes round an edge, where another touch has ended, may be a little inside.
-template <bool self>
+/// `touches` are those that the node has already, in `pairs`; a node that comes round an edge, where another touch has
+/// ended, may be a little inside.
 class FirstTouch {
  public:
-  FirstTouch(Index i, const TouchedFaces& faces, const ContactNodes& all, double dt, const Neighbourhood& neighbourhood,
-             std::span<const Touch> touches, std::span<const ContactPair> pairs, bool comes_round, double farthest)
+  FirstTouch(Index i, const TouchedFaces& faces, const ContactNodes& all, double dt, std::span<const Touch> touches,
+             std::span<const ContactPair> pairs, bool comes_round, double farthest)
       : i_(i),
         faces_(faces),
         all_(all),
@@ -37,7 +35,6 @@ class FirstTouch {
         way_(dt * all.v[i]),
         farthest_(farthest + faces.tolerance()),
         comes_round_(comes_round),
-        neighbourhood_(neighbourhood),
         touches_(touches) {
     // Touches let the node no deeper into their faces.
     for (const ContactPair& pair : pairs)
@@ -47,34 +44,32 @@ class FirstTouch {
   /// Looks whether the node meets face f. Returns by how much both may move relative to each other before they can, as
   /// long as the node's touches stay on their faces [length].
   double consider(Index f) {
-    if (self && (faces_.target.has(f, i_) || is_kept_apart(f))) return never;
     const Corners X = faces_.target.corners(f, all_.x);
-    const Reach reach = reach_to(f);
-    const Eigen::Vector3d diagonals[] = {X[2] - X[0], X[3] - X[1]}, area = cross<double>(diagonals[0], diagonals[1]),
-                          from = all_.x[i_] - 0.25 * (X[0] + X[1] + X[2] + X[3]);
-    const double area2 = area.squaredNorm(), warp2 = 0.0625 * (X[0] - X[1] + X[2] - X[3]).squaredNorm(),
-                 height = from.dot(area), deep = reach.largest_depth() + reach.slack;
-    const double half2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm());
+    const bool slack = comes_round_ && !faces_.is_at_a_distance(i_, f);
+    const double deep = faces_.largest_depth(i_, f) + (slack ? faces_.slack() : 0);
+    if (touches_.empty()) {
+      const double far = distance_of_sphere(X, all_.x[i_]) - deep;
+      if (far > 8 * farthest_) return far;
+    }
+    const Disc disc(X, all_.x[i_], faces_.target.count(f) == 3);
     for (const Touch& touch : touches_) {  // a face that goes on from one that the node touches
       if (touch.face == f) return never;
-      const double cosine = std::abs(touch.normal.dot(area)) / std::sqrt(area2);
+      const double cosine = std::abs(touch.normal.dot(disc.area)) / std::sqrt(disc.area2);
       if (cosine > in_line && faces_.go_together(f, touch.face)) {
         const double turns = sine(in_line) - sine(cosine);  // a bound from below of the angle by which they may turn
-        return turns * std::sqrt(area2 / half2) / 32;  // 8 ways of its corners turn a square by 1, and both may turn
+        // 8 ways of its corners turn a square by 1, and both may turn.
+        return turns * std::sqrt(disc.area2 / disc.radius2) / 32;
       }
     }
-    // From a disc around the face, as thick as its warp.
-    const double warp = std::sqrt(warp2), up = std::abs(height) / std::sqrt(area2),
-                 above = up - (faces_.target.count(f) == 3 ? 0 : warp),
-                 along = std::sqrt(std::max(0.0, from.squaredNorm() - up * up)),
-                 beside = along - std::sqrt(half2) - warp;
-    const double clearance = std::sqrt(square(std::max(0.0, above)) + square(std::max(0.0, beside))) - deep;
-    if (clearance > farthest_) return clearance;
-    const bool is_at = !(above - deep > reach.tolerance);
-    if (reach.two_sided || height > 0 || is_at) {
+    const double clearance = disc.distance() - deep;
+    if (clearance > farthest_ || (clearance > 0 && clearance > way_to(f) + faces_.tolerance())) return clearance;
+    Reach reach = faces_.reach(i_, f);
+    if (slack) reach.slack = faces_.slack();
+    const bool is_at = !(disc.above - deep > reach.tolerance);
+    if (reach.two_sided || disc.height > 0 || is_at) {
       if (const Crossing next = in_step(f, X, reach); next.happens()) return meet(f, next, next.when), 0;
     }
-    if (reach.two_sided || height <= 0 || is_at) {
+    if (reach.two_sided || disc.height <= 0 || is_at) {
       if (const Crossing last = in_last_step(f, X, reach); last.happens()) meet(f, last, last.when - 1);
     }
     return 0;
@@ -90,7 +85,44 @@ class FirstTouch {
   static constexpr double never = std::numeric_limits<double>::infinity();
   static constexpr double in_line = 0.9;  // cosine of normals, from which on a face goes on from another
 
-  static double square(double a) { return a * a; }
+  /// The distance of a node from a sphere around the corners of a face.
+  [[gnu::flatten]] static double distance_of_sphere(const Corners& X, const Eigen::Vector3d& x) {
+    const Eigen::Vector3d middle = 0.25 * (X[0] + X[1] + X[2] + X[3]);
+    double radius2 = 0;
+    for (const Eigen::Vector3d& corner : X) radius2 = std::max(radius2, (corner - middle).squaredNorm());
+    return (x - middle).norm() - std::sqrt(radius2);
+  }
+  /// A disc around a face, as thick as its warp, seen from a node.
+  struct Disc {
+    Eigen::Vector3d area;  // normal, twice the area long
+    double area2, radius2, height, above, beside;
+
+    [[gnu::flatten]] Disc(const Corners& X, const Eigen::Vector3d& x, bool is_triangle) {
+      const Eigen::Vector3d diagonals[] = {X[2] - X[0], X[3] - X[1]}, from = x - 0.25 * (X[0] + X[1] + X[2] + X[3]);
+      const double warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
+      area = cross<double>(diagonals[0], diagonals[1]), area2 = area.squaredNorm();
+      radius2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm());
+      height = from.dot(area);
+      const double up = std::abs(height) / std::sqrt(area2),
+                   along = std::sqrt(std::max(0.0, from.squaredNorm() - up * up));
+      above = up - (is_triangle ? 0 : warp), beside = along - std::sqrt(radius2) - warp;
+    }
+    double distance() const {
+      const double a = std::max(0.0, above), b = std::max(0.0, beside);
+      return std::sqrt(a * a + b * b);
+    }
+  };
+
+  /// The farthest way of the node relative to a corner of the face, in the step to come or in the last one [length].
+  [[gnu::flatten]] double way_to(Index f) const {
+    const Eigen::Vector3d last = all_.x[i_] - all_.x_before[i_];
+    double most2 = 0;
+    for (const Index k : faces_.target.faces()[f]) {
+      const Eigen::Vector3d next_way = way_ - dt_ * all_.v[k], last_way = last - (all_.x[k] - all_.x_before[k]);
+      most2 = std::max({most2, next_way.squaredNorm(), last_way.squaredNorm()});
+    }
+    return std::sqrt(most2);
+  }
   static double sine(double cosine) { return std::sqrt(std::max(0.0, 1 - cosine * cosine)); }
 
   struct Met {
@@ -99,15 +131,6 @@ class FirstTouch {
     double when = 2;  // in steps, from now
   };
 
-  /// A face of its neighbourhood, or of a piece that is left out.
-  bool is_kept_apart(Index f) const {
-    return (faces_.is_at_a_distance(i_, f) && neighbourhood_.has(i_, f)) || !faces_.target.may_touch(i_, f);
-  }
-  Reach reach_to(Index f) const {
-    Reach reach = faces_.reach(i_, f);
-    if (comes_round_ && !faces_.is_at_a_distance(i_, f)) reach.slack = faces_.slack();
-    return reach;
-  }
   Crossing in_step(Index f, const Corners& X, const Reach& reach) const {
     Motion motion{X, {}, all_.x[i_], way_, faces_.target.count(f) == 3};
     for (unsigned k = 0; k < 4; ++k) motion.way_of_corners[k] = dt_ * all_.v[faces_.target.faces()[f][k]];
@@ -214,7 +237,6 @@ class FirstTouch {
   Eigen::Vector3d way_;  // of the node in the step to come [length]
   double farthest_;      // way relative to a face in a step [length]
   bool comes_round_;
-  const Neighbourhood& neighbourhood_;
   std::span<const Touch> touches_;
   Met first_;
   Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();

@@ -10,6 +10,7 @@
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/search.hpp>
 #include <strike/contact/target.hpp>
+#include <strike/contact/touched_faces.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
 
@@ -20,12 +21,17 @@ namespace strike::detail {
 template <bool self>
 class NearFaces {
  public:
-  /// Searches faces within `reach` of the nodes, and a `margin` more [length].
-  template <Execution E = Serial>
-  void sort(const ContactNodes& all, std::span<const Index> nodes, const Target& target, double reach, double margin,
-            const E& execution = {}) {
+  /// Searches the faces that nodes touch within a `margin` [length], but for those that `never(i, f)` meet.
+  template <class Never, Execution E = Serial>
+  void sort(const ContactNodes& all, std::span<const Index> nodes, const TouchedFaces& faces, double margin,
+            const Never& never, const E& execution = {}) {
     ++sorts_;
-    const double apart = search_.sort(nodes, target.faces(), all.x, reach + margin, execution);
+    const Target& target = faces.target;
+    const double depth = faces.largest_depth();
+    const auto less = [&](Index s, Index f) {
+      return never(nodes[s], f) ? std::numeric_limits<double>::infinity() : depth - faces.largest_depth(nodes[s], f);
+    };
+    const double apart = search_.sort(nodes, target.faces(), all.x, depth + margin, execution, less);
     margin_ = margin + apart, travelled_ = 0;
     wake_all();
     largest_inverse_mass_ = 0;
@@ -36,12 +42,12 @@ class NearFaces {
       largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(nodes[s]) + corner);
     }
   }
-  /// Searches again if nodes and faces may have moved by the margin at the end of a step; `size` is that of the faces.
-  template <class Execution>
-  void update(const ContactNodes& all, const std::vector<Index>& nodes, const Target& target, double reach, double size,
-              double dt, const Execution& execution) {
+  /// Searches again if nodes and faces may have moved by the margin at the end of a step.
+  template <class Never, class Execution>
+  void update(const ContactNodes& all, const std::vector<Index>& nodes, const TouchedFaces& faces, double dt,
+              const Never& never, const Execution& execution) {
     if (corners_.empty()) {
-      for (const auto& face : target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
+      for (const auto& face : faces.target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
       corners_ = ascending(std::move(corners_));
     }
     // The way of the last step, with all impulses, takes the place of the one that was expected.
@@ -51,7 +57,7 @@ class NearFaces {
     step_reach_ = dt * speed_;
     // Twice the way, so that the step after this one is seen too.
     if (!(travelled_ + 2 * step_reach_ <= margin_))
-      sort(all, nodes, target, reach, std::max(8 * step_reach_, 0.5 * size), execution);
+      sort(all, nodes, faces, std::max(8 * step_reach_, 0.5 * faces.size), never, execution);
     travelled_ += step_reach_;
   }
   /// Bound of the way of a node relative to a face in this step, or in the last one [length].
@@ -104,25 +110,15 @@ class NearFaces {
   void wake_all() { wakes_.assign(search_.size(), 0.0), first_wakes_.assign(search_.nodes(), 0.0); }
 
   /// Sets bounds of the way in the last step and of the velocity of a node relative to a face: the sum of the largest
-  /// of both relative to the mean of the faces.
+  /// of both relative to the mean of some corners of faces.
   template <class Execution>
   void find_fastest(const ContactNodes& all, const std::vector<Index>& nodes, const Execution& execution) {
-    struct Both {
-      Eigen::Vector3d way = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
-    };
-    std::vector<Both> sums(chunks(corners_.size()));
-    for_each_chunk(execution, corners_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
-      Both sum;
-      for (std::size_t k = first; k < last; ++k) {
-        const Index i = corners_[k];
-        sum.way += all.x[i] - all.x_before[i], sum.velocity += all.v[i];
-      }
-      sums[c] = sum;
-    });
-    Both mean;
-    for (const Both& sum : sums) mean.way += sum.way, mean.velocity += sum.velocity;
-    const double count = static_cast<double>(corners_.size());
-    mean.way /= count, mean.velocity /= count;
+    Eigen::Vector3d mean_way{0, 0, 0}, mean_velocity{0, 0, 0};
+    const std::size_t stride = corners_.size() / 64 + 1;
+    for (std::size_t k = 0; k < corners_.size(); k += stride)
+      mean_way += all.x[corners_[k]] - all.x_before[corners_[k]], mean_velocity += all.v[corners_[k]];
+    const double share = 1 / static_cast<double>((corners_.size() + stride - 1) / stride);
+    mean_way *= share, mean_velocity *= share;
     struct Squares {
       double way = 0, velocity = 0;
     };
@@ -132,8 +128,8 @@ class NearFaces {
         Squares of_chunk;
         for (std::size_t k = first; k < last; ++k) {
           const Index i = some[k];
-          of_chunk.way = std::max(of_chunk.way, (all.x[i] - all.x_before[i] - mean.way).squaredNorm());
-          of_chunk.velocity = std::max(of_chunk.velocity, (all.v[i] - mean.velocity).squaredNorm());
+          of_chunk.way = std::max(of_chunk.way, (all.x[i] - all.x_before[i] - mean_way).squaredNorm());
+          of_chunk.velocity = std::max(of_chunk.velocity, (all.v[i] - mean_velocity).squaredNorm());
         }
         squares[c] = of_chunk;
       });

@@ -12,7 +12,7 @@ namespace strike::detail {
 class Rounding {
  public:
   void add(Index node) { now_.push_back(node); }
-  bool has(Index node) const { return contains(now_, node) || contains(before_, node); }
+  bool has(Index node) const { return !is_empty() && (contains(now_, node) || contains(before_, node)); }
   bool is_empty() const { return now_.empty() && before_.empty(); }
   void end_step() { before_.swap(now_), now_.clear(); }
 

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
 
@@ -21,10 +23,11 @@ class BucketSearch {
   using Corners = std::array<Index, 4>;
 
   /// Finds, for `near(s)`, the faces whose box, enlarged by `reach` [length], holds x[nodes[s]]. Returns by how much
-  /// the boxes around all nodes and all faces are farther apart than the reach; 0 if they are not.
-  template <Execution E = Serial>
+  /// the boxes around all nodes and all faces are farther apart than the reach; 0 if they are not. `less(s, f)` is by
+  /// how much less a face is enlarged for a node; infinite for those that never meet [length].
+  template <Execution E, class Less>
   double sort(std::span<const Index> nodes, std::span<const Corners> faces, std::span<const Eigen::Vector3d> x,
-              double reach, const E& execution = {}) {
+              double reach, const E& execution, const Less& less) {
     begin_.assign(nodes.size() + 1, 0);
     near_.clear(), awake_.clear();
     Box all_nodes, all_faces;
@@ -49,7 +52,7 @@ class BucketSearch {
     for_each_chunk(execution, faces.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
       found_[c].clear();
       for (std::size_t f = first; f < last; ++f)
-        if (all_nodes.overlaps(boxes_[f])) look(static_cast<Index>(f), nodes, x, found_[c]);
+        if (all_nodes.overlaps(boxes_[f])) look(static_cast<Index>(f), less, found_[c]);
     });
     const auto each_found = [&](const auto& g) {
       for (const auto& some : found_)
@@ -64,6 +67,12 @@ class BucketSearch {
     std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
     each_found([&](const Found& found) { near_[end[found.node]++] = found.face; });
     return 0;
+  }
+
+  template <Execution E = Serial>
+  double sort(std::span<const Index> nodes, std::span<const Corners> faces, std::span<const Eigen::Vector3d> x,
+              double reach, const E& execution = {}) {
+    return sort(nodes, faces, x, reach, execution, [](Index, Index) { return 0.0; });
   }
 
   /// The faces near nodes[s], in ascending order.
@@ -92,6 +101,11 @@ class BucketSearch {
       for (int c = 0; c < 3; ++c) lower(c) -= reach, upper(c) += reach;
     }
     bool holds(const Eigen::Vector3d& x) const { return reaches(x, x); }
+    /// True in the box, `margin` from its sides.
+    bool holds(const Eigen::Vector3d& x, double margin) const {
+      return std::min({x(0) - lower(0), upper(0) - x(0), x(1) - lower(1), upper(1) - x(1), x(2) - lower(2),
+                       upper(2) - x(2)}) >= margin;
+    }
     bool overlaps(const Box& other) const { return reaches(other.lower, other.upper); }
     bool reaches(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
       return to(0) >= lower(0) && from(0) <= upper(0) && to(1) >= lower(1) && from(1) <= upper(1) &&
@@ -111,7 +125,10 @@ class BucketSearch {
   using Bucket = std::array<std::int64_t, 3>;
   struct Filed {
     Bucket bucket;
+    Eigen::Vector3d x;
     Index node;
+
+    bool is_in(const Bucket& b) const { return bucket[0] == b[0] && bucket[1] == b[1] && bucket[2] == b[2]; }
   };
 
   Bucket bucket_of(const Eigen::Vector3d& x) const {
@@ -132,7 +149,8 @@ class BucketSearch {
     slot_begin_.assign(slots_ + 1, 0);
     filed_.clear();
     for (std::size_t s = 0; s < nodes.size(); ++s)
-      if (region.holds(x[nodes[s]])) filed_.push_back({bucket_of(x[nodes[s]]), static_cast<Index>(s)});
+      if (const Eigen::Vector3d& at = x[nodes[s]]; region.holds(at))
+        filed_.push_back({bucket_of(at), at, static_cast<Index>(s)});
     for (const Filed& filed : filed_) ++slot_begin_[slot(filed.bucket) + 1];
     for (std::size_t k = 0; k < slots_; ++k) slot_begin_[k + 1] += slot_begin_[k];
     sorted_.resize(filed_.size());
@@ -140,15 +158,17 @@ class BucketSearch {
     for (const Filed& filed : filed_) sorted_[slot_end_[slot(filed.bucket)]++] = filed;
   }
 
-  void look(Index f, std::span<const Index> nodes, std::span<const Eigen::Vector3d> x,
-            std::vector<Found>& found) const {
+  template <class Less>
+  void look(Index f, const Less& less, std::vector<Found>& found) const {
     const Box& box = boxes_[f];
+    const auto look_at = [&](const Filed& filed) {
+      if (box.holds(filed.x) && box.holds(filed.x, less(filed.node, f))) found.push_back({filed.node, f});
+    };
     const Bucket first = bucket_of(box.lower), last = bucket_of(box.upper);
     const double buckets = static_cast<double>(last[0] - first[0] + 1) * static_cast<double>(last[1] - first[1] + 1) *
                            static_cast<double>(last[2] - first[2] + 1);
     if (buckets > static_cast<double>(sorted_.size())) {  // a face much larger than others
-      for (const Filed& filed : sorted_)
-        if (box.holds(x[nodes[filed.node]])) found.push_back({filed.node, f});
+      for (const Filed& filed : sorted_) look_at(filed);
       return;
     }
     for (auto k = first[2]; k <= last[2]; ++k)
@@ -157,8 +177,7 @@ class BucketSearch {
           const Bucket bucket{i, j, k};
           const std::size_t at = slot(bucket);
           for (std::size_t n = slot_begin_[at]; n < slot_begin_[at + 1]; ++n)
-            if (sorted_[n].bucket == bucket && box.holds(x[nodes[sorted_[n].node]]))
-              found.push_back({sorted_[n].node, f});
+            if (sorted_[n].is_in(bucket)) look_at(sorted_[n]);
         }
   }
 

@@ -80,6 +80,11 @@ class Target {
   double half(Index node) const { return half_[node]; }
   /// The largest half of a thickness [length].
   double largest_half() const { return half_.empty() ? 0 : *std::max_element(half_.begin(), half_.end()); }
+  double largest_half(Index face) const {
+    if (!is_plate(face)) return 0;
+    const auto& c = faces_[face];
+    return std::max({half_[c[0]], half_[c[1]], half_[c[2]], half_[c[3]]});
+  }
   /// How far the surface of a face is from its middle at shape functions N, 0 of solids [length].
   double half(Index face, const std::array<double, 4>& N) const {
     if (!is_plate(face)) return 0;

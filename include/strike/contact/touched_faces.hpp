@@ -39,6 +39,8 @@ struct TouchedFaces {
   double largest_depth() const {
     return (half.empty() ? 0.0 : *std::max_element(half.begin(), half.end())) + target.largest_half();
   }
+  /// That of node i and face f [length].
+  double largest_depth(Index i, Index f) const { return half[i] + target.largest_half(f); }
   double tolerance() const { return 1e-6 * size; }
   Reach reach(Index i, Index f) const {
     Reach reach{.own = half[i], .tolerance = tolerance(), .two_sided = target.is_plate(f)};
