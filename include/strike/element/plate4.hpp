@@ -164,6 +164,12 @@ struct Plate4 {
     const PlaneTensor<T> bb = frame.gradient_squared();
     const T z = dot(e3, m.h);
     const Vector2<T> h_local = frame.in_plane(m.h), p = frame.turned(h_local(0), h_local(1));
+    T drilling_stiffness = T(0.0);
+    Plate4Drilling<T> moment;
+    if constexpr (drilling_controlled) {
+      drilling_stiffness = drilling.stiffness(moduli.extension.shear, A);
+      response.hourglass_work += resist(state.drilling.resistance, drilling_stiffness, drilling_rates, dt, moment);
+    }
     PlateHourglassStiffness<T> control{T(0.0), T(0.0), T(0.0)};
     if constexpr (physical) {
       const detail::PlateEdges<T> edges(frame);
@@ -174,10 +180,11 @@ struct Plate4 {
                                     K * control_rate.inverse.eta * control_rate.shear.eta};
       const T power = dot(linear.force, control_rate.linear.membrane) +
                       dot(linear.moment, control_rate.linear.curvature) + dot(R, control_rate.shear);
-      response.hourglass_work = (dt / 6) * (T(A - dA) * power_before + A * power);
+      response.hourglass_work += (dt / 6) * (T(A - dA) * power_before + A * power);
       const T third = (1.0 / 3.0) * A;
-      const AlongEdges<T> n = third * edges.per_square(linear.force), k = third * edges.per_square(linear.moment),
-                          across = third * R;
+      const T c = 1.0 / A;
+      const AlongEdges<T> n = third * edges.per_square(linear.force) + c * AlongEdges<T>{-moment.xi, moment.eta},
+                          k = third * edges.per_square(linear.moment), across = third * R;
       const T R_across = across.xi + across.eta;
       const Vector3<T> R_u = n.xi * m.xi + n.eta * m.eta + R_across * e3, R_w = k.xi * c_xi + k.eta * c_eta;
       F.h = R_u, F.xi = F.xi - p(0) * R_u, F.eta = F.eta - p(1) * R_u;
@@ -186,7 +193,7 @@ struct Plate4 {
       G.xi = G.xi + (0.25 * across.eta) * c_eta - (0.25 * R_across * p(1)) * c_h;
     } else if constexpr (controlled) {
       control = hourglass.stiffness(PlateHourglassElement<T, PlateKinematics::Moduli<T>>{A, h, trace(bb), moduli});
-      response.hourglass_work = resist(state.hourglass, control, control_rate, dt);
+      response.hourglass_work += resist(state.hourglass, control, control_rate, dt);
       const auto& R = state.hourglass;
       const Vector3<T> e1 = frame.e1(), e2 = frame.e2();
       const Vector3<T> R_u = R.membrane(0) * e1 + R.membrane(1) * e2 + R.shear * e3,
@@ -198,13 +205,7 @@ struct Plate4 {
         G.xi = G.xi + (0.125 * R.shear) * c_eta - (0.25 * R.shear * p(1)) * c_h;
       }
     }
-    T drilling_stiffness = T(0.0);
-    Plate4Drilling<T> moment;
     warping.forces(frame, z, F, G, moment);
-    if constexpr (drilling_controlled) {
-      drilling_stiffness = drilling.stiffness(moduli.extension.shear, A);
-      response.hourglass_work += resist(state.drilling.resistance, drilling_stiffness, drilling_rates, dt, moment);
-    }
     if constexpr (drills) moment.add_forces(frame, F, G);
     to_plate_nodes(F, response.force);
     to_plate_nodes(G, response.force, 4);
@@ -282,11 +283,15 @@ struct Plate4 {
       if constexpr (physical) {
         const detail::PlateEdges<T> edges(frame);
         const T turned = q_across - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
-        measure.hourglass = {
-            {edges.per_square(dot(m_xi, q_u), dot(m_eta, q_u)), edges.per_square(dot(c_xi, q_w), dot(c_eta, q_w)),
-             edges.square_xi(frame), edges.square_eta(frame)},
-            {turned + 0.25 * dot(c_xi, w.eta), turned + 0.25 * dot(c_eta, w.xi)},
-            edges.inverse(frame.area)};
+        const T q_xi = dot(m_xi, q_u), q_eta = dot(m_eta, q_u);
+        if constexpr (drilling_controlled) {  // of the nodes against the spin of the plate where they are
+          const T c = 1.0 / frame.area;
+          measure.drilling.xi -= c * q_xi, measure.drilling.eta += c * q_eta;
+        }
+        measure.hourglass = {{edges.per_square(q_xi, q_eta), edges.per_square(dot(c_xi, q_w), dot(c_eta, q_w)),
+                              edges.square_xi(frame), edges.square_eta(frame)},
+                             {turned + 0.25 * dot(c_xi, w.eta), turned + 0.25 * dot(c_eta, w.xi)},
+                             edges.inverse(frame.area)};
         return measure;
       } else {
         if constexpr (projects_shear)  // the difference of the shears along opposite edges, zero in pure bending
@@ -423,7 +428,7 @@ struct Plate4 {
     const T in_h = T(4.0 / 3.0) * scale * stiffening * edges.stiffest() *
                    largest_eigenvalue<T>(moduli.extension.normal, per_gyration * moduli.bending.normal,
                                          per_gyration * moduli.coupling.normal * moduli.coupling.normal);
-    const T d = drilling_stiffness * per_mass * (per_gyration + 2.0 * L1);
+    const T d = drilling_stiffness * per_mass * (per_gyration + (6.0 + 4.0 * shared) * L1);
     return 0.5 * sqrt(largest_eigenvalue<T>(w2 + in_h * shared, in_h, in_h * in_h * shared) + d);
   }
 };
