@@ -176,15 +176,16 @@ struct Plate4 {
       AlongEdges<T>& R = state.hourglass.shear;
       const T power_before = linear.power_before + dot(R, control_rate.shear);
       const T K = moduli.transverse_shear;
-      R = R + T(dt) * AlongEdges<T>{K * control_rate.inverse.xi * control_rate.shear.xi,
-                                    K * control_rate.inverse.eta * control_rate.shear.eta};
+      R = R + T(dt * K) * AlongEdges<T>{control_rate.inverse.xi * control_rate.shear.xi,
+                                        control_rate.inverse.eta * control_rate.shear.eta};
       const T power = dot(linear.force, control_rate.linear.membrane) +
                       dot(linear.moment, control_rate.linear.curvature) + dot(R, control_rate.shear);
       response.hourglass_work += (dt / 6) * (T(A - dA) * power_before + A * power);
       const T third = (1.0 / 3.0) * A;
-      const T c = 1.0 / A;
-      const AlongEdges<T> n = third * edges.per_square(linear.force) + c * AlongEdges<T>{-moment.xi, moment.eta},
-                          k = third * edges.per_square(linear.moment), across = third * R;
+      AlongEdges<T> on_strain = third * linear.force;
+      if constexpr (drilling_controlled) on_strain = on_strain + edges.strain_of_spin({moment.xi, moment.eta}, A);
+      const AlongEdges<T> n = edges.per_square(on_strain), k = edges.per_square(third * linear.moment),
+                          across = third * R;
       const T R_across = across.xi + across.eta;
       const Vector3<T> R_u = n.xi * m.xi + n.eta * m.eta + R_across * e3, R_w = k.xi * c_xi + k.eta * c_eta;
       F.h = R_u, F.xi = F.xi - p(0) * R_u, F.eta = F.eta - p(1) * R_u;
@@ -283,13 +284,13 @@ struct Plate4 {
       if constexpr (physical) {
         const detail::PlateEdges<T> edges(frame);
         const T turned = q_across - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
-        const T q_xi = dot(m_xi, q_u), q_eta = dot(m_eta, q_u);
-        if constexpr (drilling_controlled) {  // of the nodes against the spin of the plate where they are
-          const T c = 1.0 / frame.area;
-          measure.drilling.xi -= c * q_xi, measure.drilling.eta += c * q_eta;
+        const AlongEdges<T> membrane = edges.per_square(dot(m_xi, q_u), dot(m_eta, q_u));
+        if constexpr (drilling_controlled) {  // the nodes against the spin of the plate where they are
+          const AlongEdges<T> spin = edges.spin(membrane, frame.area);
+          measure.drilling.xi += spin.xi, measure.drilling.eta += spin.eta;
         }
-        measure.hourglass = {{edges.per_square(q_xi, q_eta), edges.per_square(dot(c_xi, q_w), dot(c_eta, q_w)),
-                              edges.square_xi(frame), edges.square_eta(frame)},
+        measure.hourglass = {{membrane, edges.per_square(dot(c_xi, q_w), dot(c_eta, q_w)), edges.square_xi(frame),
+                              edges.square_eta(frame)},
                              {turned + 0.25 * dot(c_xi, w.eta), turned + 0.25 * dot(c_eta, w.xi)},
                              edges.inverse(frame.area)};
         return measure;

@@ -81,6 +81,15 @@ class PlateEdges {
   /// Squares t (x) t of the unit vectors along the edges, in the frame.
   PlaneTensor<T> square_xi(const Plate4Frame<T>& f) const { return square(f.turned(xi_, mixed_), per_xi_); }
   PlaneTensor<T> square_eta(const Plate4Frame<T>& f) const { return square(f.turned(mixed_, eta_), per_eta_); }
+  /// The part of the spin about the normal that is linear in the plane, in the modes of Plate4Drilling, of linear
+  /// strains e without shear: its gradient is the curvature of the edges.
+  AlongEdges<T> spin(const AlongEdges<T>& e, const T& A) const {
+    return T(1.0 / A) * AlongEdges<T>{mixed_ * e.eta - xi_ * e.xi, eta_ * e.eta - mixed_ * e.xi};
+  }
+  /// The transpose: the forces on e of moments on the spin.
+  AlongEdges<T> strain_of_spin(const AlongEdges<T>& D, const T& A) const {
+    return T(1.0 / A) * AlongEdges<T>{-xi_ * D.xi - mixed_ * D.eta, mixed_ * D.xi + eta_ * D.eta};
+  }
   /// g^kk of the inverse metric, over the area A.
   AlongEdges<T> inverse(const T& A) const { return T(1.0 / (16.0 * A * A)) * AlongEdges<T>{eta_, xi_}; }
   /// The larger eigenvalue of sum m_k (x) m_k/|m_k|^4.
