@@ -293,7 +293,6 @@ struct Plate4 {
                               edges.square_eta(frame)},
                              {turned + 0.25 * dot(c_xi, w.eta), turned + 0.25 * dot(c_eta, w.xi)},
                              edges.inverse(frame.area)};
-        return measure;
       } else {
         if constexpr (projects_shear)  // the difference of the shears along opposite edges, zero in pure bending
           q_across += 0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
