@@ -81,8 +81,7 @@ TEST_CASE("physical hourglass of plates: a cantilever of one layer has its plast
 
 namespace {
 
-/// A sheet that is bent in its plane and out of it, stretched and twisted, of a scene that is turned and moved; `side`
-/// -1: its plates are numbered from below.
+/// A scene that is turned and moved.
 struct Frame {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -90,6 +89,7 @@ struct Frame {
   Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return turn * x + shift; }
   Eigen::Vector3d back(const Eigen::Vector3d& x) const { return turn.transpose() * (x - shift); }
 };
+/// Bends a sheet in its plane and out of it, stretches and twists it.
 struct Struck {
   Frame frame;
   template <class Archive>
