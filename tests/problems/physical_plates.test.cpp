@@ -153,8 +153,10 @@ TEST_CASE("physical hourglass of plates: a scene turned, moved, mirrored, flippe
   alike({Eigen::Vector3d(1, -1, 1).asDiagonal(), {0, 0, 0}}, sheet_of_six);
   Mesh renumbered = sheet_of_six;
   std::ranges::reverse(renumbered.quadrilaterals);
-  for (std::size_t c = 0; c < renumbered.quadrilaterals.size(); ++c)
-    std::ranges::rotate(renumbered.quadrilaterals[c], renumbered.quadrilaterals[c].begin() + std::ptrdiff_t(c % 4));
+  for (std::size_t c = 0; c < renumbered.quadrilaterals.size(); ++c) {
+    auto& q = renumbered.quadrilaterals[c];
+    std::rotate(q.begin(), q.begin() + std::ptrdiff_t(c % 4), q.end());
+  }
   alike({}, renumbered);
   for (auto& q : renumbered.quadrilaterals) std::swap(q[1], q[3]);
   alike({}, renumbered);
