@@ -55,6 +55,7 @@ Group plate_elements() {
   constexpr ConstantThickness constant;
   return {"Plates: element",
           {plates.of_element("no hourglass control", Plate4{NoPlateHourglass{}}),
+           plates.of_element("physical hourglass control", Plate4{PhysicalHourglass{}}),
            plates.of_element("NoWarping", Plate4{hourglass, NoWarping{}}),
            plates.of_element("RigidOffset", Plate4{hourglass, RigidOffset{}}),
            plates.of_element("ThicknessChange", Plate4{hourglass, warping, ThicknessChange{}}),

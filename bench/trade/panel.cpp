@@ -39,8 +39,8 @@ Problem panel() {
                   .uncertainty = uncertainty / limit,
                   .meshes = {"8 x 16", "16 x 32", "32 x 64", "64 x 128"},
                   .elements = "plates"},
-                 blow, usual_plate, rules, layers, warpings, thickness_changes, drillings, plate_hourglass_controls,
-                 plate_numbers);
+                 blow, usual_plate, rules, layers, warpings, thickness_changes, drillings, physical_plate,
+                 plate_hourglass_controls, plate_numbers);
 }
 
 }  // namespace trade

@@ -51,6 +51,10 @@ constexpr auto drillings = [](auto& cases) {
   cases.add("free drilling, no warping", Plate{Plate4{hourglass, NoWarping{}, thickness, FreeDrilling{}}});
 };
 
+constexpr auto physical_plate = [](auto& cases) {
+  cases.add("physical hourglass", Plate{Plate4{PhysicalHourglass{}}});
+};
+
 constexpr auto plate_hourglass_controls = [](auto& cases) {
   cases.add("hourglass 0.01", Plate{Plate4{PlateHourglass{.membrane = 0.01, .bending = 0.01, .shear = 0.01}}});
   cases.add("hourglass 0.1", Plate{Plate4{PlateHourglass{.membrane = 0.1, .bending = 0.1, .shear = 0.1}}});

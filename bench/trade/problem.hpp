@@ -86,5 +86,6 @@ Problem pane();
 Problem bars();
 Problem bird();
 std::vector<Problem> bending();
+std::vector<Problem> plates_at_rest();
 
 }  // namespace trade

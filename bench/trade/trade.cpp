@@ -60,6 +60,7 @@ int main(int count, char** arguments) {
     std::vector<std::string> names{"all"};
     std::vector<Problem> problems{taylor(), beam(), waves(), spin(), panel(), twist(), pane(), bars(), bird()};
     std::ranges::move(bending(), std::back_inserter(problems));
+    std::ranges::move(plates_at_rest(), std::back_inserter(problems));
     for (const Problem& problem : problems) names.push_back(problem.name);
     const std::string chosen = options.choice("problem", names);
     const std::size_t meshes = options.count("meshes", 3);

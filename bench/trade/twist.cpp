@@ -27,7 +27,7 @@ Problem twist() {
                   .error = "deflection at rest against 0.005424 (MacNeal and Harder 1985)",
                   .meshes = {"2 x 12", "4 x 24", "8 x 48"},
                   .elements = "plates"},
-                 bend, usual_plate, warpings, drillings, plate_hourglass_controls);
+                 bend, usual_plate, warpings, drillings, physical_plate, plate_hourglass_controls);
 }
 
 }  // namespace trade

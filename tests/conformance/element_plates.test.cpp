@@ -16,6 +16,10 @@ TEST_CASE("conformance: Plate4 without hourglass control, whose thickness change
 TEST_CASE("conformance: Plate4 with rigid offsets, whose thickness changes") {
   conforms_as_plate(Plate4{PlateHourglass{}, RigidOffset{}, ThicknessChange{}});
 }
+TEST_CASE("conformance: Plate4 with the physical hourglass control") { conforms_as_plate(Plate4{PhysicalHourglass{}}); }
+TEST_CASE("conformance: Plate4 with the physical hourglass control, flat, drilling freely, of changing thickness") {
+  conforms_as_plate(Plate4{PhysicalHourglass{}, NoWarping{}, ThicknessChange{}, FreeDrilling{}});
+}
 
 static_assert(Element<Plate4<>, std::decay_t<decltype(testing::metal_plate)>>);
 static_assert(!Element<Plate4<>, Elastic>);

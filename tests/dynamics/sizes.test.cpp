@@ -63,7 +63,7 @@ static_assert(sizeof(Hex8<ViscousHourglass, Jaumann, BulkViscosity, EndStep>::St
 static_assert(sizeof(Hex8Full<>::State<Metal, D8>) == (2 + 8 * 7) * d8);
 
 // A section has the points of its layers and a shear force; a plate adds 1/A0, five resistances against hourglass modes
-// and four against drilling, and a thickness that changes.
+// (or two linear stresses at each point, and two shears) and four against drilling, and a thickness that changes.
 using Sheet = Homogeneous<PlaneStress<Metal>>;
 static_assert(sizeof(PlaneStress<Metal>::State<double>) == 4 * sizeof(double));
 static_assert(sizeof(Sheet::State<double>) == (5 * 4 + 2) * sizeof(double));
@@ -73,6 +73,7 @@ using Ply = Layer<PlaneStress<Elastic>, Gauss<3>>;
 static_assert(sizeof(Layered<Ply, Ply>::State<double>) == (2 * 3 * 3 + 2) * sizeof(double));
 static_assert(sizeof(Layered<Ply, Ply, InstantaneousShear>::State<double>) == (2 * (3 * 3 + 1) + 3) * sizeof(double));
 static_assert(sizeof(Plate4<>::State<Sheet, D8>) == (1 + 5 + 4 + 22) * d8);
+static_assert(sizeof(Plate4<PhysicalHourglass>::State<Sheet, D8>) == (1 + 5 * 2 + 2 + 4 + 22) * d8);
 static_assert(sizeof(Plate4<PlateHourglass, NoWarping, ThicknessChange, FreeDrilling>::State<Sheet, D8>) ==
               (1 + 1 + 5 + 22) * d8);
 static_assert(sizeof(Plate4<NoPlateHourglass, RigidOffset, ConstantThickness, FreeDrilling>::State<Sheet, D8>) ==

@@ -62,7 +62,8 @@ static_assert(!MeasuringInstant<BulkViscosity> && !MeasuringInstant<Jaumann> && 
               !MeasuringInstant<int>);
 static_assert(TetrahedralPressure<NodalPressure> && TetrahedralPressure<ElementPressure>);
 static_assert(!TetrahedralPressure<BulkViscosity> && !TetrahedralPressure<double>);
-static_assert(PlateHourglassControl<PlateHourglass> && PlateHourglassControl<NoPlateHourglass>);
+static_assert(PlateHourglassControl<PlateHourglass> && PlateHourglassControl<NoPlateHourglass> &&
+              PlateHourglassControl<PhysicalHourglass>);
 static_assert(!PlateHourglassControl<StiffnessHourglass> && !PlateHourglassControl<DrillingStiffness> &&
               !PlateHourglassControl<NoHourglass>);
 static_assert(PlateWarping<BelytschkoWongChiang> && PlateWarping<NoWarping> && PlateWarping<RigidOffset>);

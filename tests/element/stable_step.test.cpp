@@ -177,3 +177,11 @@ TEST_CASE("the stable step of Plate4 without hourglass control, whose thickness 
 TEST_CASE("the stable step of Plate4 with rigid offsets, whose thickness changes, is safe") {
   plate_step_is_safe(Plate4{PlateHourglass{}, RigidOffset{}, ThicknessChange{}});
 }
+TEST_CASE("the stable step of Plate4 with the physical hourglass control is safe") {
+  plate_step_is_safe(Plate4{PhysicalHourglass{}});
+  plate_step_is_safe(Plate4{PhysicalHourglass{}, RigidOffset{}}, testing::Quadrilaterals(2));
+}
+TEST_CASE(
+    "the stable step of Plate4 with the physical hourglass control that knows no warp and drills freely is safe") {
+  plate_step_is_safe(Plate4{PhysicalHourglass{}, NoWarping{}, ThicknessChange{}, FreeDrilling{}});
+}

@@ -145,6 +145,9 @@ class MeanEdges {
 /// n_ij = a_i . s a_j, which makes the yield function linear along k, is taken moreover as much as a multiplier of the
 /// flow can that is linear along k and not negative at the points -+1/sqrt(3).
 ///
+/// A plate has the stresses of the hybrid element of Pian and Sumihara (1984) at each point of its section, and the
+/// transverse shears of Dvorkin and Bathe (1984): strike/element/plate_physical.hpp.
+///
 /// A material without shear modulus, a fluid or what has become one, gets ViscousHourglass.
 struct PhysicalHourglass {
   void ranges(const auto&) const {}

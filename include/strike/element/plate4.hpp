@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include <strike/element/plate_hourglass.hpp>
+#include <strike/element/plate_physical.hpp>
 #include <strike/element/plate_warping.hpp>
 #include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
@@ -53,7 +54,8 @@ struct Plate4 {
                         has_thickness = PlateThickness<Thickness>, has_drilling = PlateDrilling<Drilling>,
                         sound = has_hourglass && has_warping && has_thickness && has_drilling;
   static_assert(has_hourglass,
-                "strike: the first policy of Plate4 is its hourglass control: PlateHourglass or NoPlateHourglass.");
+                "strike: the first policy of Plate4 is its hourglass control: PlateHourglass, PhysicalHourglass or "
+                "NoPlateHourglass.");
   static_assert(!has_hourglass || has_warping,
                 "strike: the second policy of Plate4 is what it makes of a warp: BelytschkoWongChiang, NoWarping or "
                 "RigidOffset.");
@@ -73,13 +75,14 @@ struct Plate4 {
   using Kinematics = PlateKinematics;
   static constexpr int nodes = 4;
   static constexpr CellShape shape = CellShape::quadrilateral;
-  static constexpr bool turns_nodes = true, projects_shear = Warping::projects_shear;
+  static constexpr bool physical = std::same_as<Hourglass, PhysicalHourglass>;
+  static constexpr bool turns_nodes = true, projects_shear = Warping::projects_shear || physical;
 
   template <class Section, class T>
   struct State {
     T inverse_area{};  ///< 1/A0
     [[no_unique_address]] typename Thickness::template State<T> thickness{};
-    [[no_unique_address]] typename Hourglass::template State<T> hourglass{};
+    [[no_unique_address]] typename detail::PlateControlState<Hourglass, Section, T>::type hourglass{};
     [[no_unique_address]] typename Drilling::template State<T> drilling{};
     [[no_unique_address]] typename Section::template State<T> material{};
 
@@ -102,6 +105,8 @@ struct Plate4 {
   template <class Section, class T>
   NodalInertia<T> begin(State<Section, T>& state, const Section& material, const Nodal<T, 4>& x) const {
     if constexpr (requires { material.begin(state.material); }) material.begin(state.material);
+    if constexpr (physical && requires { material.begin(state.hourglass.linear); })
+      material.begin(state.hourglass.linear);
     const Plate4Modes<T> m = to_plate_modes<T>(x);
     const T A = Plate4Frame<T>(m.xi, m.eta).area;
     state.inverse_area = 1.0 / A;
@@ -116,7 +121,7 @@ struct Plate4 {
     const Plate4Modes<T> m = to_plate_modes<T>(x);
     Plate4Modes<T> u = to_plate_modes<T>(v), w = to_plate_modes<T>(v, 4);
     const Vector3<T> old_normal = cross<T>(m.xi - T(dt) * u.xi, m.eta - T(dt) * u.eta);
-    const auto [rate, rates, drilling_rates] = measure(m, u, w, dt);
+    const auto [rate, control_rate, drilling_rates] = measure(m, u, w, dt);
 
     const Plate4Frame<T> frame(m.xi, m.eta);
     const T& A = frame.area;
@@ -125,7 +130,13 @@ struct Plate4 {
     const PlateKinematics::Rate<T> given{rate.membrane, rate.curvature, rate.shear,
                                          thickness.relative(state.thickness)};
     const PlateKinematics::Stress<T> before = remembered(material, state.material, given.relative_thickness);
-    const PlateKinematics::Stress<T> stress = material.stress(state.material, given, dt);
+    [[maybe_unused]] LinearResultants<T> linear;
+    PlateKinematics::Stress<T> stress;
+    if constexpr (physical)
+      stress = detail::stress<Section, T>(material, state.material, state.hourglass.linear, given, control_rate.linear,
+                                          dt, linear);
+    else
+      stress = material.stress(state.material, given, dt);
     thickness.advance(state.thickness, stress.normal_rate, dt);
 
     Response<T, 8> response;
@@ -153,10 +164,37 @@ struct Plate4 {
     const PlaneTensor<T> bb = frame.gradient_squared();
     const T z = dot(e3, m.h);
     const Vector2<T> h_local = frame.in_plane(m.h), p = frame.turned(h_local(0), h_local(1));
+    T drilling_stiffness = T(0.0);
+    Plate4Drilling<T> moment;
+    if constexpr (drilling_controlled) {
+      drilling_stiffness = drilling.stiffness(moduli.extension.shear, A);
+      response.hourglass_work += resist(state.drilling.resistance, drilling_stiffness, drilling_rates, dt, moment);
+    }
     PlateHourglassStiffness<T> control{T(0.0), T(0.0), T(0.0)};
-    if constexpr (controlled) {
+    if constexpr (physical) {
+      const detail::PlateEdges<T> edges(frame);
+      AlongEdges<T>& R = state.hourglass.shear;
+      const T power_before = linear.power_before + dot(R, control_rate.shear);
+      const T K = moduli.transverse_shear;
+      R = R + T(dt * K) * AlongEdges<T>{control_rate.inverse.xi * control_rate.shear.xi,
+                                        control_rate.inverse.eta * control_rate.shear.eta};
+      const T power = dot(linear.force, control_rate.linear.membrane) +
+                      dot(linear.moment, control_rate.linear.curvature) + dot(R, control_rate.shear);
+      response.hourglass_work += (dt / 6) * (T(A - dA) * power_before + A * power);
+      const T third = (1.0 / 3.0) * A;
+      AlongEdges<T> on_strain = third * linear.force;
+      if constexpr (drilling_controlled) on_strain = on_strain + edges.strain_of_spin({moment.xi, moment.eta}, A);
+      const AlongEdges<T> n = edges.per_square(on_strain), k = edges.per_square(third * linear.moment),
+                          across = third * R;
+      const T R_across = across.xi + across.eta;
+      const Vector3<T> R_u = n.xi * m.xi + n.eta * m.eta + R_across * e3, R_w = k.xi * c_xi + k.eta * c_eta;
+      F.h = R_u, F.xi = F.xi - p(0) * R_u, F.eta = F.eta - p(1) * R_u;
+      G.h = R_w, G.xi = G.xi - p(0) * R_w, G.eta = G.eta - p(1) * R_w;
+      G.eta = G.eta + (0.25 * across.xi) * c_xi - (0.25 * R_across * p(0)) * c_h;
+      G.xi = G.xi + (0.25 * across.eta) * c_eta - (0.25 * R_across * p(1)) * c_h;
+    } else if constexpr (controlled) {
       control = hourglass.stiffness(PlateHourglassElement<T, PlateKinematics::Moduli<T>>{A, h, trace(bb), moduli});
-      response.hourglass_work = resist(state.hourglass, control, rates, dt);
+      response.hourglass_work += resist(state.hourglass, control, control_rate, dt);
       const auto& R = state.hourglass;
       const Vector3<T> e1 = frame.e1(), e2 = frame.e2();
       const Vector3<T> R_u = R.membrane(0) * e1 + R.membrane(1) * e2 + R.shear * e3,
@@ -168,18 +206,16 @@ struct Plate4 {
         G.xi = G.xi + (0.125 * R.shear) * c_eta - (0.25 * R.shear * p(1)) * c_h;
       }
     }
-    T drilling_stiffness = T(0.0);
-    Plate4Drilling<T> moment;
     warping.forces(frame, z, F, G, moment);
-    if constexpr (drilling_controlled) {
-      drilling_stiffness = drilling.stiffness(moduli.extension.shear, A);
-      response.hourglass_work += resist(state.drilling.resistance, drilling_stiffness, drilling_rates, dt, moment);
-    }
     if constexpr (drills) moment.add_forces(frame, F, G);
     to_plate_nodes(F, response.force);
     to_plate_nodes(G, response.force, 4);
 
-    response.critical_rate = critical_rate(material, state, moduli, control, drilling_stiffness, bb, A, z, h_local, p);
+    if constexpr (physical)
+      response.critical_rate = physical_rate(material, state, moduli, drilling_stiffness, frame, z, h_local, p);
+    else
+      response.critical_rate =
+          critical_rate(material, state, moduli, control, drilling_stiffness, bb, A, z, h_local, p);
     if constexpr (requires { material.intact(state.material); })
       zero_if_failed(material.intact(state.material) > 0.0, response);
     return response;
@@ -216,7 +252,7 @@ struct Plate4 {
   template <class T>
   struct Measure {
     PlateKinematics::Rate<T> rate;
-    PlateHourglassModes<T> hourglass;
+    std::conditional_t<physical, detail::PhysicalPlateRate<T>, PlateHourglassModes<T>> hourglass;
     Plate4Drilling<T> drilling;
   };
 
@@ -245,9 +281,23 @@ struct Plate4 {
       const Vector2<T> h_local = frame.in_plane(m_h), p = frame.turned(h_local(0), h_local(1));
       const Vector3<T> q_u = u.h - p(0) * u.xi - p(1) * u.eta, q_w = w.h - p(0) * w.xi - p(1) * w.eta;
       T q_across = dot(e3, q_u);
-      if constexpr (projects_shear)  // the difference of the shears along opposite edges, zero in pure bending
-        q_across += 0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
-      measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), q_across};
+      if constexpr (physical) {
+        const detail::PlateEdges<T> edges(frame);
+        const T turned = q_across - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
+        const AlongEdges<T> membrane = edges.per_square(dot(m_xi, q_u), dot(m_eta, q_u));
+        if constexpr (drilling_controlled) {  // the nodes against the spin of the plate where they are
+          const AlongEdges<T> spin = edges.spin(membrane, frame.area);
+          measure.drilling.xi += spin.xi, measure.drilling.eta += spin.eta;
+        }
+        measure.hourglass = {{membrane, edges.per_square(dot(c_xi, q_w), dot(c_eta, q_w)), edges.square_xi(frame),
+                              edges.square_eta(frame)},
+                             {turned + 0.25 * dot(c_xi, w.eta), turned + 0.25 * dot(c_eta, w.xi)},
+                             edges.inverse(frame.area)};
+      } else {
+        if constexpr (projects_shear)  // the difference of the shears along opposite edges, zero in pure bending
+          q_across += 0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(c_h, p(0) * w.eta + p(1) * w.xi);
+        measure.hourglass = {frame.in_plane(q_u), frame.in_plane(q_w), q_across};
+      }
     }
     return measure;
   }
@@ -334,6 +384,52 @@ struct Plate4 {
       d += (4.0 * per_mass * control.shear) * (e2 + 2.0 * sqrt(e2 * (1.0 + shared)));
     }
     return 0.5 * sqrt(largest_eigenvalue<T>(w2 + c * shared, c, c * c * shared) + d);
+  }
+
+  /// The same with PhysicalHourglass. Membrane, bending and transverse shear are groups of motions, each with the bound
+  /// of its own stiffness, and each two with one of their coupling; the matrix of the bounds has the larger eigenvalue.
+  /// The control adds A K g^kk/3 times the squares of its shears across, which share the rotations with bending, and,
+  /// in h, A/3 times the section's stiffness by the edges.
+  template <class Section, class T>
+  T physical_rate(const Section& material, const State<Section, T>& state, const PlateKinematics::Moduli<T>& moduli,
+                  const T& drilling_stiffness, const Plate4Frame<T>& frame, const T& z, const Vector2<T>& h,
+                  const Vector2<T>& p) const {
+    const T& A = frame.area;
+    const PlaneTensor<T> S = frame.gradient_squared();
+    const detail::PlateEdges<T> edges(frame);
+    const T per_mass = (4.0 / density_of(material)) * state.inverse_area;
+    const T per_gyration = this->per_gyration(material, state.inverse_area);  // m/I
+    const T L1 = largest_eigenvalue(S), trace_S = trace(S), scale = A * per_mass;
+    const T l = warping.lever(z), stiffening = warping.stiffening(z, per_gyration, S);
+    const auto bound = [&](const PlaneModuli<T>& k) -> T {
+      return scale * (abs(k.normal - 2.0 * k.shear) * trace_S + 2.0 * abs(k.shear) * L1);
+    };
+    const T a = bound(moduli.extension), b = bound(moduli.coupling), c = bound(moduli.bending),
+            K = moduli.transverse_shear;
+    const T pp = p(0) * p(0) + p(1) * p(1), hh = h(0) * h(0) + h(1) * h(1);
+    const T mixed = sqrt(per_gyration) * (l * a + b), bending = per_gyration * (l * (l * a + 2.0 * b) + c);
+
+    // shears across: of the mean, and of the control, whose rotations have the squares r of their lengths
+    const T across = scale * K * (L1 + 0.25 * per_gyration);
+    const T both_move = scale * K * T(1.0 / 16.0) * L1 * hh * per_gyration;
+    const AlongEdges<T> k = T(T(4.0 / 3.0) * scale * K) * edges.inverse(A);
+    const T lever = T(1.0 / 16.0) * per_gyration;
+    const AlongEdges<T> r = lever * edges.beside(p);
+    const T k_all = k.xi + k.eta;
+    const T rotations = max(k.xi * r.xi, k.eta * r.eta) + sqrt(k.xi * k.eta) * lever * hh * abs(1.0 - pp);
+    const T shared_rotations =
+        sqrt((1.0 + pp) * (k.xi * k.xi * r.xi + k.eta * k.eta * r.eta)) + sqrt(across * both_move);
+    const T transverse = largest_eigenvalue<T>(across + k_all * pp, k_all, k_all * k_all * pp);
+    const T turning =
+        largest_eigenvalue<T>(bending + both_move + rotations, transverse, shared_rotations * shared_rotations);
+    const T w2 = stiffening * largest_eigenvalue<T>(a, turning, mixed * mixed);
+
+    const T shared = pp + 0.0625 * z * z * per_gyration;
+    const T in_h = T(4.0 / 3.0) * scale * stiffening * edges.stiffest() *
+                   largest_eigenvalue<T>(moduli.extension.normal, per_gyration * moduli.bending.normal,
+                                         per_gyration * moduli.coupling.normal * moduli.coupling.normal);
+    const T d = drilling_stiffness * per_mass * (per_gyration + (6.0 + 4.0 * shared) * L1);
+    return 0.5 * sqrt(largest_eigenvalue<T>(w2 + in_h * shared, in_h, in_h * in_h * shared) + d);
   }
 };
 

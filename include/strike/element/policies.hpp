@@ -131,10 +131,11 @@ struct PlateHourglassStiffness {
 /// 1. `State<T>`: PlateHourglassModes<T>, the resistance.
 /// 2. `stiffness(element)`: a PlateHourglassStiffness<T>.
 /// Laws: the stiffness is not negative.
-/// Models: PlateHourglass; NoPlateHourglass is the absence of one.
+/// Models: PlateHourglass; NoPlateHourglass is the absence of one. PhysicalHourglass, which flows with the section, is
+/// known to Plate4.
 template <class H>
 concept PlateHourglassControl =
-    std::same_as<H, NoPlateHourglass> ||
+    std::same_as<H, NoPlateHourglass> || std::same_as<H, PhysicalHourglass> ||
     requires(const H control, const PlateHourglassElement<double, PlateKinematics::Moduli<double>> e) {
       requires std::derived_from<typename H::template State<double>, PlateHourglassModes<double>>;
       { control.stiffness(e) } -> std::same_as<PlateHourglassStiffness<double>>;

@@ -61,11 +61,13 @@ auto moduli_at_rest(const M& material) {
 /// 14. `State::internal_energy`: per reference volume; the element adds what shock viscosity dissipates.
 /// 15. `stresses(points, rates, dt)` of a plane material: stress(...) of an array of points at once.
 /// 16. `ranges(number)`: what its numbers may be (strike/range.hpp).
-/// 17. Of a solid that flows, by which PhysicalHourglass yields: `equivalent_plastic_strain` in its State;
-///     `flow_stress(state, rate)` [stress] of the rate of plastic strain [1/time], and `flow_is_rate_independent` if it
-///     is; `flow(state, kept, increment, flow_stress)`, flow beyond that of the mean stress
+/// 17. Of a solid or plane material that flows, by which PhysicalHourglass yields: `equivalent_plastic_strain` in its
+///     State; `flow_stress(state, rate)` [stress] of the rate of plastic strain [1/time], and
+///     `flow_is_rate_independent`; `flow(state, kept, increment, flow_stress)`, flow beyond that of the mean stress
 ///     (strike/material/solid.hpp).
 /// 18. `has_shear_modulus`: false, if the shear modulus is always 0, so that no hourglass control looks for one.
+/// 19. Of a section, by which the linear stresses of PhysicalHourglass follow its points: `LinearState<T>` and
+///     stress(state, linear, rate, linear_rate, dt, resultants) (strike/section/linear_stress.hpp).
 /// Laws (tests/conformance): at rest the stress does not grow (but where a viscoelastic one recovers); lane i of a pack
 /// gives what a double gives; a closed cycle of strain gives no energy back; rho c^2 + 2 viscosity/dt bounds the
 /// tangent; in a step without time, dt = 0, the remembered stress stays and a section's normal_rate is finite.

@@ -266,6 +266,25 @@ struct PlaneStress {
     return (1 / (K3 * dt)) * trace(change) - trace(detail::rate_if_intact(*this, state, rate).rate_of_deformation);
   }
 
+  /// The stress at which it flows, at this rate of plastic strain [1/time].
+  template <class T>
+    requires FlowLaw<Law>
+  T flow_stress(const State<T>& state, const T& rate) const {
+    const Parts& parts = detail::LinearSolid<S>::parts(solid);
+    return detail::flow_stress<Law, T>(parts.strength, state, state.equivalent_plastic_strain, rate);
+  }
+  static constexpr bool flow_is_rate_independent = RateIndependentFlow<Law>;
+
+  /// Plastic flow beyond that of the mean stress, of which an element knows, as of a Solid; all of the stress returns.
+  template <class T>
+    requires FlowLaw<Law>
+  void flow(State<T>& state, const T& kept, const T& increment, [[maybe_unused]] const T& flow_stress) const {
+    state.stress = kept * state.stress;
+    state.equivalent_plastic_strain += increment;
+    if constexpr (ThermalFlow<Law>)
+      state.temperature_rise += detail::LinearSolid<S>::parts(solid).strength.heating * flow_stress * increment;
+  }
+
   template <class T>
     requires detail::has_intact<State<T>>
   T intact(const State<T>& state) const {

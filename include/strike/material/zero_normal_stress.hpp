@@ -120,6 +120,19 @@ struct ZeroNormalStress {
     return solid.viscosity();
   }
 
+  /// As of the solid.
+  template <class T>
+    requires requires(const S s, const typename Inner::template State<T> state, T x) { s.flow_stress(state, x); }
+  T flow_stress(const State<T>& state, const T& rate) const {
+    return solid.flow_stress(inner(state), rate);
+  }
+  static constexpr bool flow_is_rate_independent = requires { requires S::flow_is_rate_independent; };
+  template <class T>
+    requires requires(const S s, typename Inner::template State<T> state, T x) { s.flow(state, x, x, x); }
+  void flow(State<T>& state, const T& kept, const T& increment, const T& flow_stress) const {
+    solid.flow(inner(state), kept, increment, flow_stress);
+  }
+
   template <class T>
     requires requires(const S s, const typename Inner::template State<T> state) { s.intact(state); }
   T intact(const State<T>& state) const {

@@ -8,6 +8,7 @@
 
 #include <strike/error.hpp>
 #include <strike/range.hpp>
+#include <strike/section/linear_stress.hpp>
 #include <strike/section/piece.hpp>
 #include <strike/section/slots.hpp>
 #include <strike/text.hpp>
@@ -123,6 +124,19 @@ class Layered {
     return all;
   }
 
+  /// The stresses of its points that are linear over the plane of a plate, for PhysicalHourglass.
+  template <class T>
+  struct LinearState {
+    detail::List<typename detail::Piece<Pieces>::template LinearState<T>...> pieces;
+  };
+  template <class T>
+  void begin(LinearState<T>& linear) const {
+    linear = {};
+    each_piece([&](auto i) {
+      if constexpr (is_plies[i]) detail::get<i>(linear.pieces).resize(detail::get<i>(measured_).size());
+    });
+  }
+
   /// The state at rest.
   template <class T>
     requires begins
@@ -141,18 +155,29 @@ class Layered {
 
   template <class T>
   PlateKinematics::Stress<T> stress(State<T>& state, const PlateKinematics::Rate<T>& rate, double dt) const {
-    if (dt == 0) return stress(std::as_const(state), rate.relative_thickness);  // the start of a run, without rates
+    return advance(state, rate, dt, [](auto...) { return NoLinear{}; });
+  }
+  /// The same with the linear stresses, which flow together with the others; gives their resultants too.
+  template <class T>
+  PlateKinematics::Stress<T> stress(State<T>& state, LinearState<T>& linear, const PlateKinematics::Rate<T>& rate,
+                                    const LinearRate<T>& linear_rate, double dt,
+                                    LinearResultants<T>& resultants) const {
     const T& stretch = rate.relative_thickness;
-    const PlaneTensor<T> curvature = stretch * rate.curvature;  // per height in the reference configuration
-    detail::Resultants<T> sum;
-    each_layer(state, [&](const auto& material, const auto& measured, auto& own) {
-      advance<T>(material, measured, own, rate.membrane, curvature, dt, sum);
+    resultants = {};
+    const auto stress = advance(state, rate, dt, [&](auto i, std::size_t p) {
+      return Linear<T, std::remove_reference_t<decltype(detail::get<i>(linear.pieces)[p])>>{
+          detail::get<i>(linear.pieces)[p], linear_rate, stretch * linear_rate.curvature, resultants};
     });
-    if constexpr (instantaneous)
-      state.shear_stiffness = shear_.limited(state.shear_stiffness, present_shear(state).stiffness);
-    state.shear += (T(dt) * stretch * stiffness(state)) * rate.shear;
-    if constexpr (can_fail) state.shear = T(select(intact(state) > 0.0, T(1.0), T(0.0))) * state.shear;
-    return sum.stress(stretch, state.shear, 1 / thickness_);
+    if (dt == 0)
+      each_piece([&](auto i) {
+        const auto& measured = detail::get<i>(measured_);
+        for (std::size_t p = 0; p < measured.size(); ++p)
+          for (std::size_t k = 0; k < measured[p].z.size(); ++k)
+            resultants.add(measured[p].z[k], measured[p].weight[k], detail::get<i>(linear.pieces)[p][k]);
+      });
+    resultants.force = stretch * resultants.force, resultants.moment = (stretch * stretch) * resultants.moment;
+    resultants.power_before = stretch * resultants.power_before;
+    return stress;
   }
 
   /// The resultants of the remembered stresses.
@@ -201,19 +226,64 @@ class Layered {
   }
 
  private:
+  /// Absence of linear stresses in a layer.
+  struct NoLinear {};
+  /// The linear stresses of a layer in a step; the curvature is per reference height.
+  template <class T, class Stresses>
+  struct Linear {
+    Stresses& stresses;
+    const LinearRate<T>& rate;
+    AlongEdges<T> curvature;
+    LinearResultants<T>& sum;
+  };
+
+  /// Advances all layers; linear(i, p) gives the linear stresses of layer p of piece i.
+  template <class T, class F>
+  [[gnu::always_inline]] PlateKinematics::Stress<T> advance(State<T>& state, const PlateKinematics::Rate<T>& rate,
+                                                            double dt, F linear) const {
+    if (dt == 0) return stress(std::as_const(state), rate.relative_thickness);  // the start of a run, without rates
+    const T& stretch = rate.relative_thickness;
+    const PlaneTensor<T> curvature = stretch * rate.curvature;  // per height in the reference configuration
+    detail::Resultants<T> sum;
+    each_piece([&](auto i) {
+      const auto& measured = detail::get<i>(measured_);
+      auto& own = detail::get<i>(state.pieces);
+      for (std::size_t p = 0; p < measured.size(); ++p)
+        advance<T>(layer<i>().material, measured[p], own[p], rate.membrane, curvature, dt, sum, linear(i, p));
+    });
+    if constexpr (instantaneous)
+      state.shear_stiffness = shear_.limited(state.shear_stiffness, present_shear(state).stiffness);
+    state.shear += (T(dt) * stretch * stiffness(state)) * rate.shear;
+    if constexpr (can_fail) state.shear = T(select(intact(state) > 0.0, T(1.0), T(0.0))) * state.shear;
+    return sum.stress(stretch, state.shear, 1 / thickness_);
+  }
+
   /// Advances the points of a layer and adds their stress to the resultants; `curvature` is per reference height.
-  template <class T, class M, class Measured, class Own>
+  template <class T, class M, class Measured, class Own, class L>
   [[gnu::always_inline]] void advance(const M& material, const Measured& measured, Own& own,
                                       const PlaneTensor<T>& membrane, const PlaneTensor<T>& curvature, double dt,
-                                      detail::Resultants<T>& sum) const {
+                                      detail::Resultants<T>& sum, [[maybe_unused]] const L& linear) const {
     constexpr std::size_t n = std::tuple_size_v<decltype(Own::points)>;
+    constexpr bool is_linear = !std::is_same_v<L, NoLinear>;
     std::array<PlaneStressKinematics::Rate<T>, n> rates;
     std::array<PlaneTensor<T>, n> before;
+    struct NoMeter {};
+    [[maybe_unused]] std::array<std::conditional_t<is_linear, detail::PlaneFlowMeter<M, T>, NoMeter>, n> meters;
     for (std::size_t i = 0; i < n; ++i) {
       rates[i] = {membrane + T(measured.z[i]) * curvature};
       before[i] = material.stress(std::as_const(own.points[i]));
+      if constexpr (is_linear)
+        meters[i].start(own.points[i], before[i], rates[i].rate_of_deformation, measured.elastic.moduli, dt);
     }
-    const std::array<PlaneTensor<T>, n> after = detail::stresses_of(material, own.points, rates, dt);
+    std::array<PlaneTensor<T>, n> after = detail::stresses_of(material, own.points, rates, dt);
+    if constexpr (is_linear)
+      for (std::size_t i = 0; i < n; ++i) {
+        const AlongEdges<T> e = linear.rate.membrane + T(measured.z[i]) * linear.curvature;
+        linear.sum.power_before += T(measured.weight[i]) * dot(linear.stresses[i], e);
+        detail::advance_linear<M, T>(material, own.points[i], meters[i], linear.stresses[i], after[i], T(dt) * e,
+                                     linear.rate, rates[i].rate_of_deformation, measured.elastic.moduli, dt);
+        linear.sum.add(measured.z[i], measured.weight[i], linear.stresses[i]);
+      }
     [[maybe_unused]] detail::LayerWork<T> work;
     for (std::size_t i = 0; i < n; ++i) {
       const T weight = T(measured.weight[i]);

@@ -10,6 +10,7 @@
 #include <strike/material/material.hpp>
 #include <strike/range.hpp>
 #include <strike/section/integrals.hpp>
+#include <strike/section/linear_stress.hpp>
 #include <strike/section/thickness_rule.hpp>
 #include <strike/section/transverse_shear.hpp>
 
@@ -226,6 +227,8 @@ struct Piece {
   struct Measured {};
   template <class Shear, class T>
   struct State {};
+  template <class T>
+  struct LinearState {};
 };
 template <class M, class R>
 struct Piece<Layer<M, R>> {
@@ -239,6 +242,8 @@ struct Piece<Layer<M, R>> {
   using Measured = std::array<MeasuredLayer<point_count<R>>, 1>;
   template <class Shear, class T>
   using State = std::array<LayerState<Shear, Layer<M, R>, T>, 1>;
+  template <class T>
+  using LinearState = std::array<std::array<AlongEdges<T>, point_count<R>>, 1>;
   static const Layer<M, R>& layer(const Layer<M, R>& layer) { return layer; }
   static std::size_t count(const Layer<M, R>&) { return 1; }
 };
@@ -248,6 +253,8 @@ struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
   using Measured = std::vector<MeasuredLayer<point_count<R>>>;
   template <class Shear, class T>
   using State = std::vector<LayerState<Shear, Layer<M, R>, T>>;
+  template <class T>
+  using LinearState = std::vector<std::array<AlongEdges<T>, point_count<R>>>;
   static const Layer<M, R>& layer(const Plies<Layer<M, R>>& plies) { return plies.layer; }
   static std::size_t count(const Plies<Layer<M, R>>& plies) { return plies.count; }
 };
