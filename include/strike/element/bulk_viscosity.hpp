@@ -49,7 +49,10 @@ struct BulkViscosityBothWays {
   double quadratic = 1.5;  ///< C0, in compression
   double linear = 0.06;    ///< C1
 
-  void ranges(const auto& number) const { in_compression().ranges(number); }
+  void ranges(const auto& number) const {
+    number("quadratic", quadratic, range::between(0, 100));
+    number("linear", linear, range::between(0, 100));
+  }
 
   template <class T>
   using State = BulkViscosity::State<T>;
