@@ -51,6 +51,7 @@ struct MassScaled : E {
       -> decltype(std::declval<const E&>().resistance(state, material, x, v, dt)) {
     auto resistance = E::resistance(state, material, x, v, dt);
     resistance.mass *= state.mass_factor;
+    if constexpr (turns_nodes<E>()) resistance.inertia *= state.mass_factor;
     return resistance;
   }
 };
