@@ -25,14 +25,11 @@ namespace strike {
 /// element to element as the mesh deforms, and estimated anew when the steps lost since amount to its price.
 ///   Explicit run{scene, GlobalStep{}};
 struct GlobalStep {
-  double failure = 1e-9;    ///< probability that an estimate is less safe than it says
-  double deviation = 0.15;  ///< relative tolerance of the iteration with all elements; with a share s of them it is
-                            ///< s^(2/3) of that, for they cost less. The step loses about half of it.
-  double price = 0.5;       ///< of an iteration with all elements, in steps
+  double failure = 1e-6;  ///< probability that an estimate is less safe than it says
+  double price = 0.4;     ///< of a product with the matrix of all elements, in steps
 
   void ranges(const auto& number) const {
     number("failure", failure, Range{.low = 0, .high = 1});
-    number("deviation", deviation, Range{.low = 0, .high = 1});
     number("price", price, range::not_negative);
   }
 
@@ -56,6 +53,7 @@ class GlobalStep::Running {
   void extend(StableStep& stable, Nodes& nodes, Items& items, const Execution& execution) {
     const double own = stable.dt;
     if (!std::isfinite(own)) return;  // nothing is left that resists
+    ++age_;
     stable.dt = std::max(own, allowed_step(items, execution));
     earned_ += stable.dt / own - 1;
     lost_ += 1 - stable.dt / (hope_ * own);
@@ -63,12 +61,12 @@ class GlobalStep::Running {
     patience_ = earned_ < price_ ? 2 * patience_ : 1;
     estimate(own, nodes, items, execution);
     stable.dt = std::max(own, allowed_step(items, execution));
-    lost_ = earned_ = 0;
+    age_ = lost_ = earned_ = 0;
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(bound_, hope_, lost_, earned_, price_, patience_, estimates_, products_, parts_.all());
+    archive(bound_, hope_, age_, lost_, earned_, price_, patience_, estimates_, products_, parts_.all());
   }
 
   /// Number of estimates so far, and of products with the matrix of the mesh in them.
@@ -99,30 +97,44 @@ class GlobalStep::Running {
     return 1 / rate;
   }
 
-  /// Estimates the bound anew; `own` is the least step of an element.
+  /// Estimates the bound anew; `own` is the least step of an element. Damping scales otherwise than stiffness, so that
+  /// the estimate must be made near the step that will be found.
   template <class Execution>
   void estimate(double own, Nodes& nodes, Items& items, const Execution& execution) {
-    const double dt = hope_ * own;  // near what will be found, for damping scales otherwise than stiffness
-    const double share = mesh_.choose(1.2 * dt, dt, nodes, items, parts_);
-    const double below = std::max(policy_.deviation * std::cbrt(share * share), 0.005);
-    const std::size_t steps = detail::lanczos_steps(mesh_.size(), below, policy_.failure);
-    using Fields = typename Mesh::Fields;
-    const double mu = lanczos_.largest_eigenvalue(steps, estimates_, nodes.places(), mesh_.masses(), execution,
-                                                  [&](Fields& q, Fields& product) {
-                                                    ++products_;
-                                                    mesh_.subtract_product(q, product, nodes, items, parts_, execution);
-                                                  }) /
-                      (1 - below);
-    bound_ = mu > 1 ? dt / mu : dt / std::sqrt(mu);  // mu(dt) falls at least as dt and grows at most as dt^2
-    hope_ = std::clamp(bound_ / own, 1.02, 1.25 * hope_);
-    price_ = 1 + policy_.price * share * static_cast<double>(steps);
-    ++estimates_;
+    double dt = hope_ * own, mu = 1, theta = 1;  // mu is not exceeded by the largest eigenvalue, nor theta in excess
+    std::size_t products = 0;
+    for (int trial = 0; trial < 3; ++trial) {
+      const double share = mesh_.choose(1.2 * dt, dt, nodes, items, parts_);
+      const double price = policy_.price * share, life = std::max(age_, 50.0);
+      std::size_t k = 0;
+      using Fields = typename Mesh::Fields;
+      lanczos_.iterate(
+          estimates_++, nodes.places(), mesh_.masses(), execution,
+          [&](Fields& q, Fields& product) { mesh_.subtract_product(q, product, nodes, items, parts_, execution); },
+          [&](const std::vector<double>& diagonal, const std::vector<double>& beside) {
+            if (++k % 4 > 0 && k < mesh_.size()) return false;
+            theta = detail::largest_eigenvalue(diagonal, {beside.begin(), beside.end() - 1});
+            mu = detail::eigenvalue_bound(diagonal, beside, mesh_.size(), policy_.failure);
+            const bool is_far = trial < 2 && k == 8 && !(theta > 0.6 && theta < 1.2);
+            return is_far || life * (mu / theta - 1) < price * static_cast<double>(k);  // mu - theta falls as 1/k^2
+          });
+      products += k;
+      price_ = 1 + price * static_cast<double>(products);
+      if (theta > 0.6 && theta < 1.2) break;
+      dt /= std::sqrt(1.1 * theta);
+    }
+    const auto step_at = [&](double eigenvalue) {  // mu(dt) falls at least as dt and grows at most as dt^2
+      return eigenvalue > 1 ? dt / eigenvalue : dt / std::sqrt(eigenvalue);
+    };
+    bound_ = step_at(mu);
+    hope_ = std::max(1.02, step_at(theta) / own);
+    products_ += products;
   }
 
   GlobalStep policy_;
-  double bound_ = 1;                                         // of the elements in the estimate, at its time
-  double hope_ = 1.3;                                        // expected ratio of that to the least of their own
-  double lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // [steps]
+  double bound_ = 1;   // of the elements in the estimate, at its time
+  double hope_ = 1.3;  // expected ratio of that to the least of their own
+  double age_ = 0, lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // [steps]
   std::size_t estimates_ = 0, products_ = 0;
   detail::EstimatedParts<Items> parts_;
   Mesh mesh_;
