@@ -29,7 +29,7 @@ template <class Run>
 double least_own_step(Run& run) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& block : run.template part<0>().blocks())
-    least = std::min(least, 1 / static_cast<double>(reduce_max(block.state.own_rate)));
+    least = std::min(least, 1 / static_cast<double>(reduce_max(block.state.followed.now)));
   return least;
 }
 

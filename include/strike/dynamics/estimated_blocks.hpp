@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/dynamics/growth_of_rates.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
 #include <strike/dynamics/running_part.hpp>
 #include <strike/element/element.hpp>
@@ -60,22 +61,18 @@ concept Resisting = TellsShape<typename M::Kinematics::template Rate<double>> &&
                       { e.resistance(state, m, x, v, 1.0)(x, v) } -> std::convertible_to<Nodal<double, motions<E>>>;
                     };
 
-/// An element that remembers its critical rate, one over the step that it allows alone [1/time].
+/// An element that remembers its critical rate, one over the step that it allows alone.
 template <class E>
 struct Bounded : E {
   template <class W, class T>
   struct State : E::template State<W, T> {
-    T own_rate{};
+    FollowedRate<T> followed{};
 
-    /// At least the strain of any of its points.
-    T strain() const {
-      if constexpr (requires { this->material.watched_strain; }) {
-        return this->material.watched_strain;
-      } else {
-        T sum = T(0.0);
-        this->each_point([&](const auto& point) { sum += point.watched_strain; });
-        return sum;
-      }
+    T strain() const { return this->material.watched_strain; }
+    /// Begins to follow it in lanes where `estimated` is 1.
+    void follow(const T& estimated) {
+      followed.per_estimated = select(estimated > 0.0 && followed.now > 0.0, 1.0 / followed.now, T(0.0));
+      this->material.watched_strain = T(0.0);
     }
   };
 
@@ -83,56 +80,28 @@ struct Bounded : E {
   auto advance(State<W, T>& state, const W& material, const Nodal<T, E::nodes>& x, const Motion&... v_dt) const
       -> decltype(std::declval<const E&>().advance(state, material, x, v_dt...)) {
     const Response<T, motions<E>> response = E::advance(state, material, x, v_dt...);
-    state.own_rate = response.critical_rate;
+    state.followed.now = response.critical_rate;
     return response;
   }
   /// The rate of elements that may just have been deleted.
   template <class W, class T>
   void record(State<W, T>& state, const Response<T, motions<E>>& response) const {
-    state.own_rate = response.critical_rate;
+    state.followed.now = response.critical_rate;
   }
 };
 
-/// A block of elements at the last estimate of the mesh's step.
-template <class T>
-struct EstimatedBlock {
-  T rate{};  ///< of the element alone; 0: was not part of the estimate [1/time]
-  T strain{};
-
-  /// The critical rate now in a mesh whose own was then `bound`: it has grown as that of the element, and by the length
-  /// that its shape may have lost.
-  template <class State>
-  T critical_rate(const State& now, double bound) const {
-    const T left = max(T(0.0), 1.0 - (now.strain() - strain));
-    return select(rate > 0.0, bound * max(T(1.0), now.own_rate / rate) / left, now.own_rate);
-  }
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(rate, strain);
-  }
-};
-
-/// A part at the last estimate, with what the next one renews: the resistance of its elements, the patches that have
-/// any of the estimate, and their volumes at nodes.
+/// What an estimate needs of a part: the resistance of its elements, the patches that have any of it, and their volumes
+/// at nodes.
 template <class E, class T>
 struct EstimatedPart {
   struct NoVolume {};
   static constexpr bool averages_volume = requires { requires E::averages_volume; };
 
-  std::vector<EstimatedBlock<T>> blocks;
   std::vector<typename E::template Resistance<T>> resistance;
   std::vector<std::size_t> patches;
   [[no_unique_address]] std::conditional_t<averages_volume, NodalVolume<LaneOf<T>, true>, NoVolume> volume;
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(blocks);
-  }
 };
-struct NoPart {
-  void serialize(auto&) {}
-};
+struct NoPart {};
 template <class Item>
 struct EstimatedPartOf {
   using type = NoPart;
@@ -145,16 +114,15 @@ template <class Items>
 struct EstimatedParts;
 template <class... Items>
 struct EstimatedParts<std::tuple<Items...>> : std::tuple<typename EstimatedPartOf<Items>::type...> {
-  std::tuple<typename EstimatedPartOf<Items>::type...>& all() { return *this; }
-
   /// f(part, the same at the last estimate).
   template <class Tuple, class F>
   void each_part(Tuple& items, const F& f) {
+    std::tuple<typename EstimatedPartOf<Items>::type...>& parts = *this;
     const auto visit = [&](auto& item, auto& estimated) {
       if constexpr (!std::is_same_v<std::decay_t<decltype(estimated)>, NoPart>) f(item, estimated);
     };
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (visit(std::get<i>(items), std::get<i>(all())), ...);
+      (visit(std::get<i>(items), std::get<i>(parts)), ...);
     }(std::index_sequence_for<Items...>{});
   }
 };

@@ -54,19 +54,19 @@ class GlobalStep::Running {
     const double own = stable.dt;
     if (!std::isfinite(own)) return;  // nothing is left that resists
     ++age_;
-    stable.dt = std::max(own, allowed_step(items, execution));
+    stable.dt = std::max(own, allowed_step(items));
     earned_ += stable.dt / own - 1;
     lost_ += 1 - stable.dt / (hope_ * own);
     if (lost_ < patience_ * price_) return;
     patience_ = earned_ < price_ ? 2 * patience_ : 1;
     estimate(own, nodes, items, execution);
-    stable.dt = std::max(own, allowed_step(items, execution));
+    stable.dt = std::max(own, 1 / std::max(1 / bound_, mesh_.rate_of_others()));
     age_ = lost_ = earned_ = 0;
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(bound_, hope_, age_, lost_, earned_, price_, patience_, estimates_, products_, parts_.all());
+    archive(bound_, hope_, age_, lost_, earned_, price_, patience_, estimates_, products_);
   }
 
   /// Number of estimates so far, and of products with the matrix of the mesh in them.
@@ -76,23 +76,16 @@ class GlobalStep::Running {
  private:
   using Mesh = detail::MeshResistance<Nodes, Items>;
 
-  /// The step that the mesh allows as it stands: by what is left of the bound of elements in the estimate, and by the
-  /// other elements' own.
-  template <class Execution>
-  double allowed_step(Items& items, const Execution& execution) {
+  /// The step that the mesh allows as it stands, by the other elements' own and by what is left of the bound of those
+  /// in the estimate: their critical rate has grown as that of each alone, and by the length that its shape may have
+  /// lost.
+  double allowed_step(Items& items) {
     double rate = 0;
-    parts_.each_part(items, [&](auto& part, auto& estimated) {
-      auto& blocks = estimated.blocks;
-      blocks.resize(part.blocks().size());
-      sums_.resize(part.patches().size());
-      execution.for_each(sums_.size(), [&](std::size_t p) {
-        const detail::Patch& patch = part.patches()[p];
-        auto largest = blocks[patch.first_block].critical_rate(part.blocks()[patch.first_block].state, 1 / bound_);
-        for (std::size_t b = patch.first_block + 1; b < patch.last_block; ++b)
-          largest = max(largest, blocks[b].critical_rate(part.blocks()[b].state, 1 / bound_));
-        sums_[p] = static_cast<double>(reduce_max(largest));
-      });
-      for (const double largest : sums_) rate = std::max(rate, largest);
+    parts_.each_part(items, [&](const auto& part, const auto&) {
+      for (const detail::Outcome& outcome : part.outcomes()) {
+        const auto& [ratio, strain, others] = outcome.growth;
+        rate = std::max({rate, others, ratio > 0 ? std::max(1.0, ratio) / (bound_ * std::max(0.0, 1 - strain)) : 0});
+      }
     });
     return 1 / rate;
   }
@@ -139,7 +132,6 @@ class GlobalStep::Running {
   detail::EstimatedParts<Items> parts_;
   Mesh mesh_;
   typename Mesh::Iteration lanczos_;
-  std::vector<double> sums_;
 };
 
 }  // namespace strike

@@ -29,6 +29,8 @@ class MeshResistance {
   using Masses = typename Iteration::Masses;
 
   const Masses& masses() const { return masses_; }
+  /// The largest critical rate of the other elements.
+  double rate_of_others() const { return rate_of_others_; }
   /// Number of components of the motion of the chosen elements.
   std::size_t size() const {
     std::size_t size = 0;
@@ -47,12 +49,13 @@ class MeshResistance {
         const auto& corners = part.blocks()[b].nodes;
         const auto& state = part.blocks()[b].state;
         for (std::size_t l = 0; l < part.count(b); ++l)
-          if (static_cast<double>(lane(state.own_rate, l)) * target > 1)
+          if (static_cast<double>(lane(state.followed.now, l)) * target > 1)
             for (const auto& corner : corners) near[place(corner[l])] = true;
       }
     });
 
     for (auto& masses : masses_) masses.assign(nodes.size(), 0);
+    rate_of_others_ = 0;
     std::size_t chosen = 0, all = 0;
     parts.each_part(items, [&](auto& part, auto& estimated) {
       estimated.patches.clear();
@@ -95,22 +98,24 @@ class MeshResistance {
  private:
   /// Chooses in block b; failed elements have no rate and no part in the estimate.
   template <class Part, class E, class T>
-  std::size_t choose(const Part& part, EstimatedPart<E, T>& estimated, std::size_t b, double dt, Nodes& nodes,
+  std::size_t choose(Part& part, EstimatedPart<E, T>& estimated, std::size_t b, double dt, Nodes& nodes,
                      const std::vector<bool>& near) {
     constexpr std::size_t n = Part::n;
     const auto& corners = part.blocks()[b].nodes;
-    const auto& state = part.blocks()[b].state;
+    auto& state = part.blocks()[b].state;
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
     const auto is_near = [&](std::size_t l) {
       return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) { return near[place(corner[l])]; });
     };
-    EstimatedBlock<T>& block = estimated.blocks[b];
-    block.rate = T(0.0);
+    T chosen = T(0.0);
     for (std::size_t l = 0; l < lanes<T>; ++l)
-      if (is_near(l)) set_lane(block.rate, l, lane(state.own_rate, l));
-    if (!any(block.rate > 0.0)) return 0;
+      if (is_near(l)) set_lane(chosen, l, RealOf<T>(1));
+    state.follow(chosen);
+    const auto is_chosen = state.followed.per_estimated > 0.0;
+    rate_of_others_ =
+        std::max(rate_of_others_, static_cast<double>(reduce_max(select(is_chosen, T(0.0), state.followed.now))));
+    if (!any(is_chosen)) return 0;
 
-    block.strain = state.strain();
     auto& resistance = estimated.resistance[b];
     const auto& motion = nodes.motion();
     const Nodal<T, E::nodes> x = gather<T, n>(motion.position, corners);
@@ -121,7 +126,7 @@ class MeshResistance {
       resistance = part.element().resistance(state, part.material(), x, gather<T, n>(motion.velocity, corners), dt);
     std::size_t count = 0;
     for (std::size_t l = 0; l < part.count(b); ++l)
-      if (lane(block.rate, l) > 0) {
+      if (lane(state.followed.per_estimated, l) > 0) {
         ++count;
         for (const auto& corner : corners) {
           masses_[0][place(corner[l])] += lane(resistance.mass, l);
@@ -132,10 +137,12 @@ class MeshResistance {
   }
 
   /// f(b) for the blocks of a patch with chosen elements.
-  template <class E, class T, class F>
-  static void for_each_chosen(const EstimatedPart<E, T>& estimated, const Patch& patch, const F& f) {
-    for (std::size_t b = patch.first_block; b < patch.last_block; ++b)
-      if (any(estimated.blocks[b].rate > 0.0)) f(b);
+  template <class Part, class F>
+  static void for_each_chosen(const Part& part, const Patch& patch, const F& f) {
+    for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
+      const auto is_chosen = part.blocks()[b].state.followed.per_estimated > 0.0;
+      if (any(is_chosen)) f(b, is_chosen);
+    }
   }
 
   /// Adds the volumes of chosen elements, and what the motion q changes of them, at their nodes.
@@ -143,11 +150,10 @@ class MeshResistance {
   static void add_volumes(const Part& part, EstimatedPart<E, T>& estimated, const Patch& patch, Nodes& nodes,
                           const std::vector<Vector>& q) {
     constexpr std::size_t n = Part::n;
-    for_each_chosen(estimated, patch, [&](std::size_t b) {
+    for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
       const auto& corners = part.blocks()[b].nodes;
       const auto V =
           estimated.resistance[b].volume(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q, corners));
-      const auto is_chosen = estimated.blocks[b].rate > 0.0;
       estimated.volume.template add<T, n>(select(is_chosen, V.change, T(0.0)), select(is_chosen, V.present, T(0.0)),
                                           corners, part.count(b));
     });
@@ -157,7 +163,7 @@ class MeshResistance {
   [[gnu::flatten]] static void subtract_product(const Part& part, const EstimatedPart<E, T>& estimated,
                                                 const Patch& patch, Nodes& nodes, const Fields& q, Fields& product) {
     constexpr std::size_t n = Part::n;
-    for_each_chosen(estimated, patch, [&](std::size_t b) {
+    for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
       const auto& corners = part.blocks()[b].nodes;
       const auto& resistance = estimated.resistance[b];
       const Nodal<T, E::nodes> x = gather<T, n>(nodes.motion().position, corners);
@@ -169,7 +175,6 @@ class MeshResistance {
         else
           return resistance(x, gather<T, n>(q[0], corners));
       }();
-      const auto is_chosen = estimated.blocks[b].rate > 0.0;
       const Nodal<T, motions<E>> f = all.unaryExpr([&](const T& f_i) -> T { return select(is_chosen, f_i, T(0.0)); });
       scatter_subtract<T, n>(f, product[0], corners, part.count(b));
       if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(f, product[1], corners, part.count(b), n);
@@ -177,6 +182,7 @@ class MeshResistance {
   }
 
   Masses masses_;
+  double rate_of_others_ = 0;
 };
 
 }  // namespace strike::detail
