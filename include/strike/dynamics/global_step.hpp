@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
-#include <utility>
+#include <limits>
 #include <vector>
 
 #include <strike/dynamics/estimated_blocks.hpp>
@@ -26,7 +25,7 @@ namespace strike {
 ///   Explicit run{scene, GlobalStep{}};
 struct GlobalStep {
   double failure = 1e-6;  ///< probability that an estimate is less safe than it says
-  double price = 0.4;     ///< of a product with the matrix of all elements, in steps
+  double price = 0.5;     ///< of a product with the matrix of all elements, in steps
 
   void ranges(const auto& number) const {
     number("failure", failure, Range{.low = 0, .high = 1});
@@ -91,14 +90,15 @@ class GlobalStep::Running {
   }
 
   /// Estimates the bound anew; `own` is the least step of an element. Damping scales otherwise than stiffness, so that
-  /// the estimate must be made near the step that will be found.
+  /// the estimate must be made near the step that will be found, and rather below it.
   template <class Execution>
   void estimate(double own, Nodes& nodes, Items& items, const Execution& execution) {
-    double dt = hope_ * own, mu = 1, theta = 1;  // mu is not exceeded by the largest eigenvalue, nor theta in excess
+    double dt = 0.95 * hope_ * own, mu = 1,
+           theta = 1;  // mu is not exceeded by the largest eigenvalue, nor theta in excess
     std::size_t products = 0;
     for (int trial = 0; trial < 3; ++trial) {
-      const double share = mesh_.choose(1.2 * dt, dt, nodes, items, parts_);
-      const double price = policy_.price * share, life = std::max(age_, 50.0);
+      const double share = mesh_.choose(1.25 * dt, dt, nodes, items, parts_);
+      const double price = policy_.price * share, life = std::max(age_, 30.0);
       std::size_t k = 0;
       using Fields = typename Mesh::Fields;
       lanczos_.iterate(
@@ -108,13 +108,13 @@ class GlobalStep::Running {
             if (++k % 4 > 0 && k < mesh_.size()) return false;
             theta = detail::largest_eigenvalue(diagonal, {beside.begin(), beside.end() - 1});
             mu = detail::eigenvalue_bound(diagonal, beside, mesh_.size(), policy_.failure);
-            const bool is_far = trial < 2 && k == 8 && !(theta > 0.6 && theta < 1.2);
+            const bool is_far = trial < 2 && k == 8 && !(theta > 0.6 && theta < 1.05);
             return is_far || life * (mu / theta - 1) < price * static_cast<double>(k);  // mu - theta falls as 1/k^2
           });
       products += k;
       price_ = 1 + price * static_cast<double>(products);
-      if (theta > 0.6 && theta < 1.2) break;
-      dt /= std::sqrt(1.1 * theta);
+      if (theta > 0.6 && theta < 1.05) break;
+      dt /= std::sqrt(1.2 * theta);
     }
     const auto step_at = [&](double eigenvalue) {  // mu(dt) falls at least as dt and grows at most as dt^2
       return eigenvalue > 1 ? dt / eigenvalue : dt / std::sqrt(eigenvalue);
@@ -125,9 +125,9 @@ class GlobalStep::Running {
   }
 
   GlobalStep policy_;
-  double bound_ = 1;   // of the elements in the estimate, at its time
-  double hope_ = 1.3;  // expected ratio of that to the least of their own
-  double age_ = 0, lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // [steps]
+  double bound_ = std::numeric_limits<double>::infinity();  // of the elements in the estimate, at its time
+  double hope_ = 1.3;                                       // expected ratio of that to the least of their own
+  double age_ = 200, lost_ = 0, earned_ = 0, price_ = 0, patience_ = 1;  // [steps]
   std::size_t estimates_ = 0, products_ = 0;
   detail::EstimatedParts<Items> parts_;
   Mesh mesh_;

@@ -147,8 +147,8 @@ class MeshResistance {
 
   /// Adds the volumes of chosen elements, and what the motion q changes of them, at their nodes.
   template <class Part, class E, class T>
-  static void add_volumes(const Part& part, EstimatedPart<E, T>& estimated, const Patch& patch, Nodes& nodes,
-                          const std::vector<Vector>& q) {
+  [[gnu::flatten]] static void add_volumes(const Part& part, EstimatedPart<E, T>& estimated, const Patch& patch,
+                                           Nodes& nodes, const std::vector<Vector>& q) {
     constexpr std::size_t n = Part::n;
     for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
       const auto& corners = part.blocks()[b].nodes;
