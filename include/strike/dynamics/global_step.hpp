@@ -25,7 +25,7 @@ namespace strike {
 ///   Explicit run{scene, GlobalStep{}};
 struct GlobalStep {
   double failure = 1e-6;  ///< probability that an estimate is less safe than it says
-  double price = 0.5;     ///< of a product with the matrix of all elements, in steps
+  double price = 0.3;     ///< of a product with the matrix of all elements, in steps
 
   void ranges(const auto& number) const {
     number("failure", failure, Range{.low = 0, .high = 1});
