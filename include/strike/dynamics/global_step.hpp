@@ -98,7 +98,7 @@ class GlobalStep::Running {
     std::size_t products = 0;
     for (int trial = 0; trial < 3; ++trial) {
       const double share = mesh_.choose(1.25 * dt, dt, nodes, items, parts_);
-      const double price = policy_.price * share, life = std::max(age_, 30.0);
+      const double price_of_product = policy_.price * share, life = std::max(age_, 30.0);
       std::size_t k = 0;
       using Fields = typename Mesh::Fields;
       lanczos_.iterate(
@@ -109,10 +109,11 @@ class GlobalStep::Running {
             theta = detail::largest_eigenvalue(diagonal, {beside.begin(), beside.end() - 1});
             mu = detail::eigenvalue_bound(diagonal, beside, mesh_.size(), policy_.failure);
             const bool is_far = trial < 2 && k == 8 && !(theta > 0.6 && theta < 1.05);
-            return is_far || life * (mu / theta - 1) < price * static_cast<double>(k);  // mu - theta falls as 1/k^2
+            return is_far ||
+                   life * (mu / theta - 1) < price_of_product * static_cast<double>(k);  // mu - theta falls as 1/k^2
           });
       products += k;
-      price_ = 1 + price * static_cast<double>(products);
+      price_ = 1 + price_of_product * static_cast<double>(products);
       if (theta > 0.6 && theta < 1.05) break;
       dt /= std::sqrt(1.2 * theta);
     }
