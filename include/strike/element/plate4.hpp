@@ -202,7 +202,7 @@ struct Plate4 {
     resistance.mass = 0.25 * density_of(material) / state.inverse_area;
     resistance.inertia = resistance.mass / per_gyration(material, state.inverse_area);
     resistance.section = material.moduli(state.material, rate);
-    resistance.warp = warping;
+    static_cast<Warping&>(resistance) = warping;
     if constexpr (controlled)
       resistance.hourglass = hourglass.stiffness(PlateHourglassElement<T, PlateKinematics::Moduli<T>>{
           frame.area, material.thickness() * rate.relative_thickness, trace(frame.gradient_squared()),

@@ -8,14 +8,11 @@ namespace strike {
 /// rotations: the forces and moments K dt^2/4 p of its stiffness K, in the letters of Plate4. A stable step keeps their
 /// largest eigenvalue over the masses and moments of inertia at or below 1.
 template <class T, class Warping, bool drills>
-struct Plate4Resistance {
+struct Plate4Resistance : Warping {
   T mass{}, inertia{};                     ///< of each node
   PlateKinematics::Moduli<T> section{};    ///< tangent of the section, times dt^2/4, as are ...
   PlateHourglassStiffness<T> hourglass{};  ///< ... the stiffness of the hourglass control
   T drilling{};                            ///< ... and that of each mode of the drilling
-  [[no_unique_address]] Warping warp{};
-
-  void ranges(const auto& number) const { number(warp); }
 
   Plate4Resistance& operator*=(const T& share) {
     for (PlaneModuli<T>* k : {&section.extension, &section.coupling, &section.bending})
@@ -36,7 +33,7 @@ struct Plate4Resistance {
 
     Plate4Drilling<T> d;
     if constexpr (drills) d = Plate4Drilling<T>(frame, u, w);
-    warp.rates(frame, z, d, u, w);
+    Warping::rates(frame, z, d, u, w);
     const PlaneTensor<T> e =
         frame.turned({dot(m.xi, u.xi), dot(m.eta, u.eta), 0.5 * (dot(m.xi, u.eta) + dot(m.eta, u.xi))});
     const PlaneTensor<T> k =
@@ -72,7 +69,7 @@ struct Plate4Resistance {
       G.xi = G.xi + (0.25 * Q(1) - 0.25 * R * q(1)) * c_h + (0.125 * R) * c_eta;
     }
     Plate4Drilling<T> moment = drilling * d;
-    warp.forces(frame, z, F, G, moment);
+    Warping::forces(frame, z, F, G, moment);
     if constexpr (drills) moment.add_forces(frame, F, G);
     Nodal<T, 8> f;
     to_plate_nodes(F, f), to_plate_nodes(G, f, 4);
