@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <strike/dynamics/elements.hpp>
+#include <strike/dynamics/growth_of_rates.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/dynamics/removal.hpp>
 #include <strike/element/element.hpp>
@@ -37,6 +38,7 @@ struct Outcome {
   std::size_t slowest = 0, inverted = 0;
   double internal_work = 0, hourglass_work = 0, bulk_viscosity_work = 0;
   Deletions deletions{};
+  GrowthOfRates<double> growth{};  // of elements that are followed
 };
 
 /// The same lane by lane on the way through the blocks of a patch, which are counted from its first.
@@ -147,6 +149,7 @@ template <class E, class M, class T, class Removal, class Motion, class Volume, 
   constexpr bool erodes = All::erodes, state_is_small = sizeof(typename All::State) < 32 * sizeof(T);
   Outcome outcome;
   LanesOfOutcome<T> sum;
+  [[maybe_unused]] GrowthOfRates<T> growth;
   Local<E> element = elements.element;
   Local<M> material = elements.material;
   auto& blocks = elements.blocks;
@@ -175,6 +178,7 @@ template <class E, class M, class T, class Removal, class Motion, class Volume, 
       erode(elements, b, state, x, Nodal<T, motions<E>>(v), dt, response, outcome.deletions);
     else if constexpr (state_is_small)
       block.state = state;
+    if constexpr (Followed<typename All::State>) growth.add(state);
     const auto& force = schedule.template times_multiple<T>(b, response.force);
     scatter_subtract<T, n>(force, motion.force, block.nodes, elements.count(b));
     if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(force, motion.moment, block.nodes, elements.count(b), n);
@@ -183,6 +187,7 @@ template <class E, class M, class T, class Removal, class Motion, class Volume, 
             b + 1 < blocks.size() ? T(1.0) : elements.busy());
   }
   sum.reduce(outcome, patch.first_block, elements.size);
+  if constexpr (Followed<typename All::State>) outcome.growth = growth.reduced();
   return outcome;
 }
 

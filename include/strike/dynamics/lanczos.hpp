@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,74 +49,112 @@ inline double random_normal(std::uint64_t k) {
   return std::sqrt(-2 * std::log(random_number(2 * k))) * std::cos(2 * std::numbers::pi * random_number(2 * k + 1));
 }
 
-/// Steps of Lanczos's iteration from a random direction of n components after which the largest eigenvalue of a
-/// positive matrix is underestimated by more than the share `deviation` with a probability of at most `failure`: this
-/// is 1.648 sqrt(n) exp(-sqrt(deviation) (2 k - 1)) (Kuczynski and Wozniakowski 1992).
-inline std::size_t lanczos_steps(std::size_t n, double deviation, double failure) {
-  const double twice = std::log(1.648 * std::sqrt(static_cast<double>(n)) / failure) / std::sqrt(deviation);
-  return std::min(n, static_cast<std::size_t>(std::ceil(0.5 * (twice + 1))));
+/// The number that the largest eigenvalue of a positive matrix of n rows exceeds with a probability of at most
+/// `failure`, from Lanczos's iteration that began in a random direction. `diagonal` and `beside` are those of its
+/// tridiagonal matrix, `beside` with the norm of the next vector as its last. The polynomials p of the iteration have
+/// sum_i g_i^2 p(mu_i)^2 = 1, g_i being the components of the direction, so that p(mu) <= 1/|g| for the largest mu (van
+/// Dorsselaer, Hochstenbach and van der Vorst 2000); and |g| < d has a probability of at most d sqrt(2 n/pi).
+inline double eigenvalue_bound(const std::vector<double>& diagonal, const std::vector<double>& beside, std::size_t n,
+                               double failure) {
+  const double theta = largest_eigenvalue(diagonal, {beside.begin(), beside.end() - 1});
+  const double limit = std::log(std::sqrt(2 * static_cast<double>(n) / std::numbers::pi) / failure);
+  const auto log_p = [&](double x) {
+    double ratio = 1, sum = 0;  // p_k/p_(k-1)
+    for (std::size_t k = 0; k < diagonal.size(); ++k) {
+      ratio = (x - diagonal[k] - (k > 0 ? beside[k - 1] / ratio : 0)) / beside[k];
+      if (!(ratio > 0)) return -limit;
+      sum += std::log(ratio);
+    }
+    return sum;
+  };
+  if (!(beside.back() > 1e-14 * theta)) return theta;  // the iteration has found all that it can
+  double upper = 2 * theta;
+  while (log_p(upper) < limit) upper *= 2;
+  const auto is_wide = [](const auto& bracket) { return bracket.upper - bracket.lower > 1e-4 * bracket.upper; };
+  return bisect(
+             Bracket<double>{theta, upper}, [&](double x) { return log_p(x) < limit; }, is_wide)
+      .upper;
 }
 
 /// Lanczos's iteration (1950) for the largest eigenvalue of A q = mu m q. `Vector` is a vector at a node, padded, of
-/// which three components count.
-template <class Vector>
+/// which three components count; of `kinds` there are one, displacements, or two, rotations after them.
+template <class Vector, std::size_t kinds>
 class Lanczos {
   using Real = RealOf<Vector>;
-  using Field = std::vector<Vector>;
 
  public:
-  /// The eigenvalue, from below, after so many steps from random direction number `seed`. `mass` and the fields have a
-  /// number for each of `places`, of which `active` take part; subtract_product(q, f) is f -= A q at these, where f is
-  /// zero before. With the vectors q over the masses:
+  using Fields = std::array<std::vector<Vector>, kinds>;
+  /// Nodes that take part, place by place: the mass of each, of rotations the moment of inertia, zero elsewhere.
+  using Masses = std::array<std::vector<Real>, kinds>;
+
+  /// Iterates from random direction number `seed` until `is_enough(diagonal, beside)`, asked after each step, or there
+  /// are no more directions; see eigenvalue_bound. The fields have `places` numbers each; subtract_product(q, f) is
+  /// f -= A q, where f is zero before. With the vectors q over the masses:
   ///   b q_next = A q/m - a q - b_before q_before,  a = q.A q,  |q| = 1.
-  template <class Execution, class Operator>
-  double largest_eigenvalue(std::size_t steps, std::uint64_t seed, std::size_t places, const std::vector<Index>& active,
-                            const std::vector<Real>& mass, const Execution& execution,
-                            const Operator& subtract_product) {
-    for (Field* field : {&q_, &q_before_, &product_}) field->assign(places, Vector(0));
-    for (const Index i : active)
-      for (std::size_t c = 0; c < 3; ++c)
-        q_[i].set(c, static_cast<Real>(random_normal((seed << 40) + 3 * std::uint64_t{i} + c) /
-                                       std::sqrt(static_cast<double>(mass[i]))));
+  template <class Execution, class Operator, class IsEnough>
+  void iterate(std::uint64_t seed, std::size_t places, const Masses& masses, const Execution& execution,
+               const Operator& subtract_product, const IsEnough& is_enough) {
+    std::size_t size = 0;
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+      for (Fields* fields : {&q_, &q_before_, &product_}) (*fields)[kind].assign(places, Vector(0));
+      active_[kind].clear();
+      for (std::size_t i = 0; i < masses[kind].size(); ++i)
+        if (masses[kind][i] > 0) active_[kind].push_back(static_cast<Index>(i));
+      size += 3 * active_[kind].size();
+      for (const Index i : active_[kind])
+        for (std::size_t c = 0; c < 3; ++c)
+          q_[kind][i].set(c, static_cast<Real>(random_normal((seed << 40) + 3 * (places * kind + i) + c) /
+                                               std::sqrt(static_cast<double>(masses[kind][i]))));
+    }
 
     std::vector<double> diagonal, beside;
-    double norm = std::sqrt(sum(execution, active, [&](Index i) { return mass[i] * dot(q_[i], q_[i]); }));
-    for (std::size_t k = 0; k < steps && norm > 0; ++k) {
-      if (k > 0) beside.push_back(norm);
+    double norm = std::sqrt(
+        sum(execution, [&](std::size_t kind, Index i) { return masses[kind][i] * dot(q_[kind][i], q_[kind][i]); }));
+    for (std::size_t k = 0; k < size && norm > 0; ++k) {
       const Vector b = k > 0 ? static_cast<Real>(norm) : 0, per_norm = static_cast<Real>(1 / norm);
-      sum(execution, active, [&](Index i) {
-        q_[i] *= per_norm;
-        product_[i] = 0;
+      sum(execution, [&](std::size_t kind, Index i) {
+        q_[kind][i] *= per_norm;
+        product_[kind][i] = 0;
         return Real(0);
       });
       subtract_product(q_, product_);
-      diagonal.push_back(-sum(execution, active, [&](Index i) { return dot(q_[i], product_[i]); }));
+      diagonal.push_back(
+          -sum(execution, [&](std::size_t kind, Index i) { return dot(q_[kind][i], product_[kind][i]); }));
       const Vector a = static_cast<Real>(diagonal.back());
-      norm = std::sqrt(sum(execution, active, [&](Index i) {
-        q_before_[i] = -(a * q_[i] + b * q_before_[i] + Vector(1 / mass[i]) * product_[i]);
-        return mass[i] * dot(q_before_[i], q_before_[i]);
+      norm = std::sqrt(sum(execution, [&](std::size_t kind, Index i) {
+        const Real m = masses[kind][i];
+        Vector& before = q_before_[kind][i];
+        before = -(a * q_[kind][i] + b * before + Vector(1 / m) * product_[kind][i]);
+        return m * dot(before, before);
       }));
       std::swap(q_, q_before_);
+      beside.push_back(norm);
+      if (is_enough(diagonal, beside)) return;
     }
-    return detail::largest_eigenvalue(diagonal, beside);
   }
 
  private:
   static Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  /// The sum of f(i) over the active places, in an order that does not depend on the threads.
+  /// The sum of f(kind, i) over the active places, in an order that does not depend on the threads.
   template <class Execution, class F>
-  double sum(const Execution& execution, const std::vector<Index>& active, const F& f) {
-    sums_.resize(chunks(active.size()));
-    for_each_chunk(execution, active.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
-      double mine = 0;
-      for (std::size_t j = first; j < last; ++j) mine += static_cast<double>(f(active[j]));
-      sums_[k] = mine;
-    });
-    return std::accumulate(sums_.begin(), sums_.end(), 0.0);
+  double sum(const Execution& execution, const F& f) {
+    double all = 0;
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+      const std::vector<Index>& active = active_[kind];
+      sums_.resize(chunks(active.size()));
+      for_each_chunk(execution, active.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
+        double mine = 0;
+        for (std::size_t j = first; j < last; ++j) mine += static_cast<double>(f(kind, active[j]));
+        sums_[k] = mine;
+      });
+      all = std::accumulate(sums_.begin(), sums_.end(), all);
+    }
+    return all;
   }
 
-  Field q_, q_before_, product_;
+  Fields q_, q_before_, product_;
+  std::array<std::vector<Index>, kinds> active_;
   std::vector<double> sums_;
 };
 

@@ -132,8 +132,11 @@ class RunningPart {
 
   /// The blocks of elements in memory, the patches that they form, and the lanes of a block that hold elements.
   const std::vector<Block>& blocks() const { return elements_.blocks; }
+  std::vector<Block>& blocks() { return elements_.blocks; }
   const detail::Patches& patches() const { return patches_; }
   std::size_t count(std::size_t b) const { return elements_.count(b); }
+  /// The outcome of the last step for each patch.
+  const std::vector<detail::Outcome>& outcomes() const { return outcomes_; }
   /// The cells by the numbers of elements and nodes as given.
   Cells<n> cells(const Nodes& nodes) const {
     Cells<n> cells(size());

@@ -44,6 +44,16 @@ struct MassScaled : E {
     response.critical_rate *= rsqrt(state.mass_factor);
     return response;
   }
+
+  template <class M, class T>
+  auto resistance(const State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x,
+                  const Nodal<T, motions<E>>& v, double dt) const
+      -> decltype(std::declval<const E&>().resistance(state, material, x, v, dt)) {
+    auto resistance = E::resistance(state, material, x, v, dt);
+    resistance.mass *= state.mass_factor;
+    if constexpr (turns_nodes<E>()) resistance.inertia *= state.mass_factor;
+    return resistance;
+  }
 };
 template <class E>
 MassScaled(E, double) -> MassScaled<E>;

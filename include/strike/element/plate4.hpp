@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include <strike/element/plate4_resistance.hpp>
 #include <strike/element/plate_hourglass.hpp>
 #include <strike/element/plate_physical.hpp>
 #include <strike/element/plate_warping.hpp>
@@ -219,6 +220,33 @@ struct Plate4 {
     if constexpr (requires { material.intact(state.material); })
       zero_if_failed(material.intact(state.material) > 0.0, response);
     return response;
+  }
+
+  template <class T>
+  using Resistance = Plate4Resistance<T, Warping, Warping::drills || !std::is_same_v<Drilling, FreeDrilling>>;
+
+  /// Resistance to a small motion in a step dt from here; v are the velocities and angular velocities of the nodes.
+  template <class Section, class T>
+  Resistance<T> resistance(const State<Section, T>& state, const Section& material, const Nodal<T, 4>& x,
+                           const Nodal<T, 8>& v, double dt) const {
+    const Plate4Modes<T> m = to_plate_modes<T>(x);
+    Plate4Modes<T> u = to_plate_modes<T>(v), w = to_plate_modes<T>(v, 4);
+    PlateKinematics::Rate<T> rate = measure(m, u, w, 0.0).rate;
+    rate.relative_thickness = thickness.relative(state.thickness);
+    const Plate4Frame<T> frame(m.xi, m.eta);
+    Resistance<T> resistance;
+    resistance.mass = 0.25 * density_of(material) / state.inverse_area;
+    resistance.inertia = resistance.mass / per_gyration(material, state.inverse_area);
+    resistance.section = material.moduli(state.material, rate);
+    static_cast<Warping&>(resistance) = warping;
+    if constexpr (controlled)
+      resistance.hourglass = hourglass.stiffness(PlateHourglassElement<T, PlateKinematics::Moduli<T>>{
+          frame.area, material.thickness() * rate.relative_thickness, trace(frame.gradient_squared()),
+          resistance.section});
+    if constexpr (drilling_controlled)
+      resistance.drilling = 0.25 * drilling.stiffness(resistance.section.extension.shear, frame.area);
+    resistance *= T(0.25 * dt * dt) * intact_share<T>(material, state.material);
+    return resistance;
   }
 
   /// The area over that at rest, of a plate whose thickness does not follow.
