@@ -225,8 +225,8 @@ struct Plate4 {
   template <class T>
   using Resistance = Plate4Resistance<T, Warping, Warping::drills || !std::is_same_v<Drilling, FreeDrilling>>;
 
-  /// Resistance to a small motion in a step dt from here; v are the velocities and angular velocities of the nodes. That
-  /// of PhysicalHourglass is not known.
+  /// Resistance to a small motion in a step dt from here; v are the velocities and angular velocities of the nodes.
+  /// That of PhysicalHourglass is not known.
   template <class Section, class T>
     requires(!std::same_as<Hourglass, PhysicalHourglass>)
   Resistance<T> resistance(const State<Section, T>& state, const Section& material, const Nodal<T, 4>& x,
