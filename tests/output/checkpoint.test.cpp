@@ -15,6 +15,7 @@
 #include <strike/load.hpp>
 #include <strike/material.hpp>
 #include <strike/mesh.hpp>
+#include <strike/motion/openmp.hpp>
 #include <strike/output/checkpoint.hpp>
 #include <strike/output/history.hpp>
 #include <strike/output/vtu.hpp>
@@ -131,6 +132,17 @@ TEST_CASE("checkpoint: the same under subcycling, plates slow, goes on to the bi
   const auto run = goes_on_to_the_bit([] { return Explicit{bird_strike(3), {}, Subcycling{}}; }, 0.12);
   CHECK(run.cycle().multiple() > 1);
   CHECK(run.item<1>().deleted() > 0);
+}
+
+TEST_CASE("checkpoint: the same under the step of the mesh goes on to the bit, and is the same on two threads") {
+  const GlobalStep bound{.price = 0.05};  // so cheap that it is estimated again and again
+  const auto run = goes_on_to_the_bit([&] { return Explicit{bird_strike(), {}, bound}; }, 0.12);
+  CHECK(run.step_bound().estimates() > 2);
+  CHECK(run.item<1>().deleted() > 0);
+  Explicit threads{bird_strike(), {}, bound, OpenMP{2}};
+  threads.until(0.12);
+  CHECK(threads.steps() == run.steps());
+  CHECK(threads.positions() == run.positions());
 }
 
 TEST_CASE("checkpoint: a bar in mixed precision under the step of the mesh goes on to the bit") {
