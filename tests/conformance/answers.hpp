@@ -395,8 +395,8 @@ struct Allowed {
   bool has_edges = true;  ///< edges touch edges
   bool two_way = true;    ///< both surfaces are alike
   double order = 0;       ///< by which the order of pairs counts, of a law that takes each pair once
-  double cut =
-      1e-4;  ///< at a plane of symmetry, over which a node has one of two faces as near; springs take m* from it
+  double cut = 3e-4;  ///< at a plane of symmetry, over which a node has one of two faces as near: a thousandth of how
+                      ///< far the bodies push each other; springs take m* from it
 };
 
 /// The changes that an encounter has to bear.

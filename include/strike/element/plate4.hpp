@@ -223,7 +223,11 @@ struct Plate4 {
   }
 
   template <class T>
-  using Resistance = Plate4Resistance<T, Warping, Warping::drills || !std::is_same_v<Drilling, FreeDrilling>>;
+  struct ResistanceOf {
+    using type = Plate4Resistance<T, Warping, Warping::drills || !std::is_same_v<Drilling, FreeDrilling>>;
+  };
+  template <class T>
+  using Resistance = typename ResistanceOf<T>::type;
 
   /// Resistance to a small motion in a step dt from here; v are the velocities and angular velocities of the nodes.
   /// That of PhysicalHourglass is not known.
