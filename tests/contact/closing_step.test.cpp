@@ -43,7 +43,7 @@ struct Bars {
 /// The largest error of the balance until the wave has run through a good part of the bar.
 template <class... Items>
 double error_of(const Bars& bars, double velocity, const Items&... items) {
-  Explicit run{Scene{bars.mesh.nodes, Part{Hex8{}, copper, bars.mesh.hexahedra},
+  Explicit run{Scene{bars.mesh.nodes, Part{Hex8{ViscousHourglass{}}, copper, bars.mesh.hexahedra},
                      InitialVelocity{{0, 0, -velocity}, bars.upper_nodes}, items...},
                ExplicitOptions{.energy_tolerance = 1, .print_warnings = false}};
   double most = 0;
@@ -103,7 +103,7 @@ TEST_CASE("the balance closes to half a per cent, however fast things meet, or t
 TEST_CASE("what flies past shortens no step") {
   const Bars alone(100);
   const auto step_of = [&](const auto&... items) {
-    return Explicit{Scene{alone.mesh.nodes, Part{Hex8{}, copper, alone.mesh.hexahedra},
+    return Explicit{Scene{alone.mesh.nodes, Part{Hex8{ViscousHourglass{}}, copper, alone.mesh.hexahedra},
                           InitialVelocity{{0, 0, -5}, alone.upper_nodes}, items...}}
         .stable_step()
         .dt;
@@ -121,7 +121,7 @@ TEST_CASE("springs answer alike with any step factor") {
   const Elastic elastic{.density = 1, .youngs_modulus = 1, .poissons_ratio = 0};
   const auto strike_with = [&](double factor) {
     const Bars bars(0);
-    Explicit run{Scene{bars.mesh.nodes, Part{Hex8{}, elastic, bars.mesh.hexahedra},
+    Explicit run{Scene{bars.mesh.nodes, Part{Hex8{ViscousHourglass{}}, elastic, bars.mesh.hexahedra},
                        InitialVelocity{{0, 0, -0.01}, bars.upper_nodes},
                        Contact{TwoWay{Surface{hexahedron_surface(bars.upper)}, Surface{hexahedron_surface(bars.lower)}},
                                Penalty{}}},

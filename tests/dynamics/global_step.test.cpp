@@ -364,10 +364,11 @@ TEST_CASE("plates whose mass is scaled have the bound of the mesh too") {
 }
 
 TEST_CASE("Taylor bar with the bound of the whole mesh: the same bar in fewer steps, and its energy in balance") {
-  auto usual = taylor::bar(taylor::mm_ms_kg, 3, 50, in<Pack<double>>);
+  const Hex8 element{ViscousHourglass{}};
+  auto usual = taylor::bar(taylor::mm_ms_kg, 3, 50, in<Pack<double>>, element);
   usual.until(taylor::mm_ms_kg.end);
   const auto check = [&](auto number) {
-    auto run = taylor::bar(taylor::mm_ms_kg, 3, 50, number, Hex8{}, GlobalStep{});
+    auto run = taylor::bar(taylor::mm_ms_kg, 3, 50, number, element, GlobalStep{});
     double drift = 0;
     run.until(taylor::mm_ms_kg.end, [&] { drift = std::max(drift, std::abs(run.energy().error())); });
     CHECK(taylor::length(run) == Approx(taylor::length(usual)).epsilon(1e-3));
