@@ -90,6 +90,18 @@ struct Mixed {
   }
 };
 
+/// The forces that resist each component of the motion alone are the columns of a matrix.
+template <class Resistance, int n>
+void check_columns(const Resistance& resistance, const Nodal<double, n>& x, const Eigen::MatrixXd& expected,
+                   double tolerance) {
+  for (int k = 0; k < 3 * n; ++k) {
+    Nodal<double, n> p = Nodal<double, n>::Zero();
+    p(k) = 1;
+    const Nodal<double, n> f = resistance(x, p);
+    CHECK((f.reshaped() - expected.col(k)).norm() <= tolerance * expected.norm());
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the largest eigenvalue of the chain of n springs, 2 + 2 cos(pi/(n + 1)), from above") {
@@ -159,12 +171,7 @@ TEST_CASE("the resistance of a hexahedron is its stiffness and its damping, of a
     const auto resistance = element.resistance(state, law, x, v, dt);
     const auto vibration = single.vibration(v);
     const Eigen::MatrixXd expected = 0.25 * dt * dt * vibration.stiffness + 0.5 * dt * vibration.damping;
-    for (int k = 0; k < 24; ++k) {
-      Nodal<double, 8> p = Nodal<double, 8>::Zero();
-      p(k) = 1;
-      const Nodal<double, 8> f = resistance(x, p);
-      CHECK((f.reshaped() - expected.col(k)).norm() <= 1e-5 * expected.norm());  // of the steps of the derivatives
-    }
+    check_columns(resistance, x, expected, 1e-5);  // of the steps of the derivatives
   };
   const Nodal<double, 8> still = Nodal<double, 8>::Zero();
   for (int trial = 0; trial < 3; ++trial) {
@@ -187,12 +194,7 @@ TEST_CASE("the resistance of a tetrahedron is its stiffness and its damping, of 
     element.begin(state, law, x);
     const auto resistance = element.resistance(state, law, x, Nodal<double, 4>::Zero().eval(), dt);
     const Eigen::MatrixXd expected = 0.25 * dt * dt * single.vibration().stiffness;
-    for (int k = 0; k < 12; ++k) {
-      Nodal<double, 4> p = Nodal<double, 4>::Zero();
-      p(k) = 1;
-      const Nodal<double, 4> f = resistance(x, p);
-      CHECK((f.reshaped() - expected.col(k)).norm() <= 1e-9 * expected.norm());
-    }
+    check_columns(resistance, x, expected, 1e-9);
     CHECK(resistance.mass == Approx(single.nodal_mass()).epsilon(1e-13));
   };
   for (int trial = 0; trial < 3; ++trial) {

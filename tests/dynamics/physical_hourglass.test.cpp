@@ -18,8 +18,10 @@
 
 #include "output/scratch.hpp"
 #include "support/catch.hpp"
+#include "support/frame.hpp"
 
 using namespace strike;
+using testing::Frame;
 
 namespace {
 
@@ -38,14 +40,7 @@ const Solid copper{LinearEos{.density = 8.93e-6, .bulk_modulus = 130}, JohnsonCo
                                                                                    .heating = 263}};
 constexpr double end = 0.02;
 
-/// A motion with bending, twist and stretch, of a whole scene that is turned and moved.
-struct Frame {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-
-  Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return turn * x + shift; }
-  Eigen::Vector3d back(const Eigen::Vector3d& x) const { return turn.transpose() * (x - shift); }
-};
+/// A motion with bending, twist and stretch.
 struct Struck {
   Frame frame;
   template <class Archive>

@@ -15,8 +15,10 @@
 #include "output/scratch.hpp"
 #include "problems/shells.hpp"
 #include "support/catch.hpp"
+#include "support/frame.hpp"
 
 using namespace strike;
+using testing::Frame;
 using namespace strike::shells;
 
 namespace {
@@ -81,14 +83,6 @@ TEST_CASE("physical hourglass of plates: a cantilever of one layer has its plast
 
 namespace {
 
-/// A scene that is turned and moved.
-struct Frame {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-
-  Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return turn * x + shift; }
-  Eigen::Vector3d back(const Eigen::Vector3d& x) const { return turn.transpose() * (x - shift); }
-};
 /// Bends a sheet in its plane and out of it, stretches and twists it.
 struct Struck {
   Frame frame;

@@ -90,7 +90,7 @@ struct Bounded : E {
   }
 };
 
-/// What an estimate needs of a part: the resistance of its elements, the patches that have any of it, and their volumes
+/// Memory of a part for an estimate: the resistance of its elements, the patches that have any of it, and their volumes
 /// at nodes.
 template <class E, class T>
 struct EstimatedPart {

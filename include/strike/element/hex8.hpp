@@ -128,18 +128,11 @@ struct Hex8 {
     const HourglassElement<T> element{rho,           V,     edge,          per_mass,        before.wave(),
                                       control_shear, T(dt), shrinkage * S, stability.trace, stability.eigenvalue};
     // (m_k(n+1) - m_k(n))/dt - L m_k, L at the end, is a rate at the start of the step.
-    const auto rates_from = [&](const auto& carried) -> HourglassModes<T> {
-      return {carried(minus_times(u.b1, L, m.b1)), carried(minus_times(u.b2, L, m.b2)),
-              carried(minus_times(u.b3, L, m.b3)), carried(minus_times(u.d, L, m.d))};
-    };
     if constexpr (controlled && !physical) {
+      HourglassModes<T> rates = hourglass_rates(m, u, L);
       // A control that remembers has its memory turned with the element.
-      const HourglassModes<T> rates = rates_from([&](const Vector3<T>& rate_k) -> Vector3<T> {
-        if constexpr (std::is_empty_v<typename Control<M>::template State<T>>)
-          return rate_k;
-        else
-          return turn(rate_k);
-      });
+      if constexpr (!std::is_empty_v<typename Control<M>::template State<T>>)
+        for (Vector3<T>& rate_k : rates) rate_k = turn(rate_k);
       Q = control.resistance(state.hourglass, element, rates);
       response.hourglass_work = control.work(element, Q, rates);
       hourglass_rate = control.critical_rate(element);
@@ -153,7 +146,7 @@ struct Hex8 {
     auto [sigma, work] = advance_point(material, state.material, rate, dt, V, dV);
     response.internal_work = work;
     if constexpr (physical) {
-      const HourglassModes<T> rates = rates_from([](const Vector3<T>& rate_k) { return rate_k; });
+      const HourglassModes<T> rates = hourglass_rates(m, u, L);
       const PointFlow<T> flow = meter(state.material, sigma, before.shear);
       const auto answer = control.advance(state.hourglass, element, m, u, rates, turn(rates[3]), hourglass_overlap,
                                           flow, detail::Yield<M, T>(material, state.material, rate, before.shear));
@@ -194,7 +187,8 @@ struct Hex8 {
     const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
-    const Matrix3<T> L = g.gradient_of(to_modes<T>(v), per_volume);
+    const Hex8Modes<T> u = to_modes<T>(v);
+    const Matrix3<T> L = g.gradient_of(u, per_volume);
     const SolidKinematics::Rate<T> rate{symmetric_part(L), J};
     const Moduli<T> moduli = material.moduli(state.material, rate);
     const SymmetricTensor<T> S = T(1.0 / 512.0) * per_volume * per_volume * (g.squared_a() + g.squared_b());
@@ -217,9 +211,7 @@ struct Hex8 {
                                         .gradient_eigenvalue = stability.eigenvalue};
       T rate_alone;
       if constexpr (std::same_as<Hourglass, PhysicalHourglass>) {
-        const Hex8Modes<T> u = to_modes<T>(v);
-        const HourglassModes<T> rates{minus_times(u.b1, L, m.b1), minus_times(u.b2, L, m.b2),
-                                      minus_times(u.b3, L, m.b3), minus_times(u.d, L, m.d)};
+        const HourglassModes<T> rates = hourglass_rates(m, u, L);
         rate_alone = ViscousHourglass::critical_rate(element, hourglass.damping(element, rates, T(0.0), T(0.0)));
         resistance.stresses = hourglass.resistance(element, m);
       } else {
@@ -230,7 +222,7 @@ struct Hex8 {
       const T viscous = max(r, T(r * r)), solid = stiff ? T(r * r) : viscous;
       resistance.hourglass = T(1.0 / 64.0) * rho * g.volume * select(element.shear_modulus > 0.0, solid, viscous);
     }
-    if constexpr (requires { material.intact(state.material); }) resistance *= material.intact(state.material);
+    resistance *= intact_share<T>(material, state.material);
     return resistance;
   }
 

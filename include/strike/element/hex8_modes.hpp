@@ -81,6 +81,11 @@ struct Hex8Gradient {
 /// The four vectors of the hourglass modes b1, b2, b3 and d of a hexahedron: rates, or the resistance to them.
 template <class T>
 using HourglassModes = std::array<Vector3<T>, 4>;
+/// The rates u_k - L m_k, with the velocities u and the mean velocity gradient L.
+template <class T>
+HourglassModes<T> hourglass_rates(const Hex8Modes<T>& m, const Hex8Modes<T>& u, const Matrix3<T>& L) {
+  return {minus_times(u.b1, L, m.b1), minus_times(u.b2, L, m.b2), minus_times(u.b3, L, m.b3), minus_times(u.d, L, m.d)};
+}
 template <class T>
 T squared_norm(const HourglassModes<T>& q) {
   return dot(q[0], q[0]) + dot(q[1], q[1]) + dot(q[2], q[2]) + dot(q[3], q[3]);

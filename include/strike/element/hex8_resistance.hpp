@@ -6,6 +6,7 @@
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hourglass.hpp>
 #include <strike/element/physical_hourglass.hpp>
+#include <strike/element/solid_resistance.hpp>
 
 namespace strike {
 
@@ -17,21 +18,20 @@ struct Hex8Resistance {
   static constexpr bool physical = std::same_as<Control, PhysicalHourglass>;
   struct Nothing {};
 
-  T mass{};                          ///< of each node
-  T lambda{}, shear{}, hourglass{};  ///< stress = lambda tr(grad p) I + 2 shear sym(grad p); Q_k = hourglass q_k
+  T mass{};  ///< of each node
+  SolidResistance<T> mean{};
+  T hourglass{};  ///< Q_k = hourglass q_k
   [[no_unique_address]] std::conditional_t<physical, PhysicalHourglass::Resistance<T>, Nothing> stresses{};
 
-  /// Resistance with these moduli and a bulk viscosity of the coefficient zeta [stress time], which Stability bounds.
+  /// Resistance with these moduli, of which lambda counts as Stability takes it, not below 0, and a bulk viscosity of
+  /// the coefficient zeta [stress time].
   template <class M>
   static Hex8Resistance in_step(const M& material, const Moduli<T>& moduli, const T& zeta, const T& mass, double dt) {
-    const T lambda = max(T(0.0), moduli.bulk - T(2.0 / 3.0) * moduli.shear);
-    const double k = 0.25 * dt * dt, c = 0.5 * dt;
-    Hex8Resistance resistance{mass, k * lambda + c * zeta, k * moduli.shear};
-    if constexpr (requires { material.viscosity(); }) resistance.shear += c * material.viscosity();
-    return resistance;
+    const Moduli<T> bound{max(moduli.bulk, T(2.0 / 3.0) * moduli.shear), moduli.shear};
+    return {mass, SolidResistance<T>::in_step(material, bound, zeta, dt)};
   }
   Hex8Resistance& operator*=(const T& share) {
-    lambda *= share, shear *= share, hourglass *= share;
+    mean *= share, hourglass *= share;
     if constexpr (physical) stresses *= share;
     return *this;
   }
@@ -41,17 +41,14 @@ struct Hex8Resistance {
     const Hex8Gradient<T> g(m);
     const T per_volume = 1.0 / g.volume;
     const Matrix3<T> L = g.gradient_of(u, per_volume);
-    const HourglassModes<T> q{minus_times(u.b1, L, m.b1), minus_times(u.b2, L, m.b2), minus_times(u.b3, L, m.b3),
-                              minus_times(u.d, L, m.d)};
+    const HourglassModes<T> q = hourglass_rates(m, u, L);
     HourglassModes<T> Q{hourglass * q[0], hourglass * q[1], hourglass * q[2], hourglass * q[3]};
     if constexpr (physical) {
       const SymmetricTensor<T> S = T(1.0 / 512.0) * per_volume * per_volume * (g.squared_a() + g.squared_b());
       const HourglassModes<T> of_stresses = stresses(m, g.volume, S, q);
       for (std::size_t k = 0; k < 4; ++k) Q[k] = Q[k] + of_stresses[k];
     }
-    const SymmetricTensor<T> sigma =
-        SymmetricTensor<T>::isotropic(lambda * L.trace()) + T(2.0 * shear) * symmetric_part(L);
-    return nodal_forces(sigma, Q, m, g, per_volume);
+    return nodal_forces(mean.stress(L), Q, m, g, per_volume);
   }
 };
 

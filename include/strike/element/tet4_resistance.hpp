@@ -1,28 +1,9 @@
 #pragma once
 #include <strike/element/element.hpp>
+#include <strike/element/solid_resistance.hpp>
 #include <strike/element/tet4_gradient.hpp>
-#include <strike/material/material.hpp>
 
 namespace strike {
-
-/// The stress with which an element resists a small motion p in a step dt, sigma = lambda tr(grad p) I + 2 shear
-/// sym(grad p): that of its moduli times dt^2/4 and of its viscosities times dt/2.
-template <class T>
-struct SolidResistance {
-  T lambda{}, shear{};
-
-  /// With a bulk viscosity of the coefficient zeta [stress time].
-  template <class M>
-  static SolidResistance in_step(const M& material, const Moduli<T>& moduli, const T& zeta, double dt) {
-    const double k = 0.25 * dt * dt, c = 0.5 * dt;
-    SolidResistance resistance{k * (moduli.bulk - T(2.0 / 3.0) * moduli.shear) + c * zeta, k * moduli.shear};
-    if constexpr (requires { material.viscosity(); }) resistance.shear += c * material.viscosity();
-    return resistance;
-  }
-  SymmetricTensor<T> stress(const Matrix3<T>& L) const {
-    return SymmetricTensor<T>::isotropic(lambda * L.trace()) + T(2.0 * shear) * symmetric_part(L);
-  }
-};
 
 /// Resistance of a tetrahedron to a small motion p of its nodes in a step dt: the forces (K dt^2/4 + C dt/2) p of its
 /// stiffness K and its damping C. A stable step keeps their largest eigenvalue over the mass at or below 1.
@@ -39,7 +20,7 @@ struct Tet4Resistance<T, false> {
   SolidResistance<T> own{};
 
   Tet4Resistance& operator*=(const T& share) {
-    own.lambda *= share, own.shear *= share;
+    own *= share;
     return *this;
   }
   Nodal<T, 4> operator()(const Nodal<T, 4>& x, const Nodal<T, 4>& p) const {
@@ -55,7 +36,7 @@ struct Tet4Resistance<T, true> {
   T root_bulk{};  ///< sqrt(k)
 
   Tet4Resistance& operator*=(const T& share) {
-    own.lambda *= share, own.shear *= share, root_bulk *= sqrt(share);
+    own *= share, root_bulk *= sqrt(share);
     return *this;
   }
   /// V, and sqrt(k) dV.
