@@ -7,6 +7,7 @@
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
 #include <strike/material/explosive.hpp>
+#include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/failure/johnson_cook_failure.hpp>
 #include <strike/material/failure/principal_stress.hpp>
@@ -14,6 +15,8 @@
 #include <strike/material/fluid.hpp>
 #include <strike/material/kinematics.hpp>
 #include <strike/material/material.hpp>
+#include <strike/material/orthotropic_ply.hpp>
+#include <strike/material/plane_stiffness.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/point_values.hpp>
 #include <strike/material/report.hpp>

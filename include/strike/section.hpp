@@ -1,5 +1,8 @@
 #pragma once
+#include <strike/section/delamination.hpp>
+#include <strike/section/fibres.hpp>
 #include <strike/section/integrals.hpp>
+#include <strike/section/laminate_stiffness.hpp>
 #include <strike/section/layered.hpp>
 #include <strike/section/piece.hpp>
 #include <strike/section/slots.hpp>

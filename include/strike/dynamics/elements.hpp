@@ -61,6 +61,13 @@ struct PointValueOf {
 template <class F, class M, class T>
 using PointValue = typename PointValueOf<F, M, T>::type;
 
+/// f(section, its state, further arguments) is a number.
+template <class F, class M, class T, class... More>
+concept ValueOfSection = std::same_as<typename M::Kinematics, PlateKinematics> &&
+                         requires(const F f, const M section, const typename M::template State<T> state, More... more) {
+                           { f(section, state, more...) } -> std::convertible_to<T>;
+                         };
+
 /// The elements of a part in memory: model, material, and states in blocks of lanes, neighbours together. Elements are
 /// known by their places, lane after lane and block after block; `order[p]` is the user's number of that at place p.
 template <class E, class M, class T, class Removal>
@@ -149,6 +156,37 @@ struct Elements {
       }
     }
     return values;
+  }
+
+  /// f(state of an element), a number, by the numbers of the elements.
+  template <class F>
+  std::vector<double> per_element(const F& f) const {
+    std::vector<double> values(size);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const T value = f(blocks[b].state);
+      for (std::size_t l = 0; l < count(b); ++l) values[order[b * width + l]] = static_cast<double>(lane(value, l));
+    }
+    return values;
+  }
+
+  /// Of every element: the mean over its points of f(point), or of a section f(section, its state).
+  template <class F>
+  auto field(const F& f) const {
+    if constexpr (ValueOfSection<F, M, T>)
+      return per_element([&](const State& state) { return f(material, state.material); });
+    else
+      return mean_over_points(
+          f, [&](const State& state, const auto& add) { state.each_point([&](const auto& point) { add(point); }); });
+  }
+  /// The same of layer k. Error: it has none.
+  template <class F>
+  auto field(std::size_t k, const F& f) const {
+    if constexpr (ValueOfSection<F, M, T, std::size_t>) {
+      check_layer(k);
+      return per_element([&](const State& state) { return f(material, state.material, k); });
+    } else {
+      return mean_over_layer(k, f);
+    }
   }
 
   static constexpr bool has_layers = requires(const State s) { s.each_point(std::size_t{}, PointVisitor{}); };

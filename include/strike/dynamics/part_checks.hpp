@@ -136,6 +136,16 @@ void check_mass(const Elements& elements, const N& nodes, std::size_t place, dou
                         " has no positive mass; its corners are in the wrong order or coincide."}));
 }
 
+/// Error: a plate that is normal to the direction of its section's fibres, in lane l of a state.
+template <class Elements, class N, class State>
+void check_direction(const Elements& elements, const N& nodes, std::size_t place, const State& state, std::size_t l) {
+  if constexpr (requires { elements.material.is_aligned(state.material, l); })
+    if (!elements.material.is_aligned(state.material, l))
+      throw Error(joined({"strike: ", elements.describe(nodes, place),
+                          " is normal to the FibreDirection of its section, so that its fibres have no direction; "
+                          "choose another, or give such plates a part of their own."}));
+}
+
 [[noreturn, gnu::cold, gnu::noinline]] inline void explain_inversion(const std::string& element, double volume) {
   if (std::isnan(volume)) throw Error(joined({element, " has the volume nan: look at the formulas of its element"}));
   throw Error(joined({element, " is inverted (volume ", text(volume),

@@ -146,15 +146,15 @@ class RunningPart {
 
   /// A value per element, the mean over its points of f(state of a point), a number or a tensor:
   ///   part.field([](const auto& s) { return s.stress.zz; })      part.field([](const auto& s) { return s.stress; })
+  /// Of a plate also of f(section, its state), such as Delamination.
   template <class F>
   auto field(F f) const {
-    return elements_.mean_over_points(
-        f, [&](const State& state, const auto& add) { state.each_point([&](const auto& point) { add(point); }); });
+    return elements_.field(f);
   }
-  /// The same for layer k of a plate, from 0 at its bottom. Error: no such layer.
+  /// The same for layer k of a plate, from 0 at its bottom; also of f(section, its state, k). Error: no such layer.
   template <class F>
   auto field(std::size_t k, F f) const {
-    return elements_.mean_over_layer(k, f);
+    return elements_.field(k, f);
   }
 
   void ranges(const auto& number) const {
@@ -229,6 +229,7 @@ class RunningPart {
       detail::check_cell(elements_, nodes, place, cell, well_shaped);
       proportions_.add(elements_.order[place], nodes, cell, material());
       detail::check_mass(elements_, nodes, place, static_cast<double>(lane(mass, l)));
+      detail::check_direction(elements_, nodes, place, block.state, l);
       for (const Index i : cell) {
         nodes.add_mass(i, static_cast<double>(lane(mass, l)));
         if constexpr (turns_nodes<E>()) nodes.add_inertia(i, static_cast<double>(lane(given.inertia, l)));

@@ -109,7 +109,10 @@ struct Plate4 {
     if constexpr (physical && requires { material.begin(state.hourglass.linear); })
       material.begin(state.hourglass.linear);
     const Plate4Modes<T> m = to_plate_modes<T>(x);
-    const T A = Plate4Frame<T>(m.xi, m.eta).area;
+    const Plate4Frame<T> frame(m.xi, m.eta);
+    const T A = frame.area;
+    if constexpr (requires { material.align(state.material, m.xi, m.eta); })
+      material.align(state.material, frame.e1(), frame.e2());
     state.inverse_area = 1.0 / A;
     const T mass = (0.25 * density_of(material)) * A;
     return {mass, mass / per_gyration(material, state.inverse_area)};

@@ -32,6 +32,17 @@ struct Failed {
   }
 };
 
+/// 1 of a ply whose matrix has failed, with its fibres or without, or else 0.
+struct MatrixFailed {
+  template <class State>
+  auto operator()(const State& point) const {
+    if constexpr (requires { point.matrix; })
+      return 1.0 - point.matrix;
+    else
+      return 0.0;
+  }
+};
+
 /// Von Mises' equivalent stress.
 struct EquivalentStress {
   template <class State>
@@ -43,8 +54,8 @@ struct EquivalentStress {
   }
 };
 
-/// The stress as a tensor: of a point in a plate by its components in the frame of the plate, of a bar along its axis
-/// as xx, of a fluid its pressure; 0 of a point without any.
+/// The stress as a tensor: of a point in a plate by its components in the frame of the plate, of a ply along and
+/// across its fibres, of a bar along its axis as xx, of a fluid its pressure; 0 of a point without any.
 struct StressTensor {
   template <class State>
   auto operator()(const State& point) const {

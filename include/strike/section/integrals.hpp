@@ -4,18 +4,27 @@
 #include <vector>
 
 #include <strike/material/kinematics.hpp>
+#include <strike/material/plane_stiffness.hpp>
 #include <strike/section/transverse_shear.hpp>
 
 // Integrals over the thickness of a section, as functions of numbers.
 namespace strike::detail {
 
+/// The turn of a layer's own axes from those of its section.
+template <bool has_fibres>
+struct MeasuredFibres {};
+template <>
+struct MeasuredFibres<true> {
+  PlaneTurn<double> turn;
+};
+
 /// A layer of a section as measured at its construction: heights of its n points over the surface of the nodes
 /// [length], their weights [length], its elastic moduli and its shear flow.
-template <std::size_t n>
-struct MeasuredLayer {
+template <std::size_t n, class Flow, bool has_fibres>
+struct MeasuredLayer : MeasuredFibres<has_fibres> {
   std::array<double, n> z, weight;
   ShearLayer<double> elastic;
-  ShearFlow<double> flow;
+  Flow flow;
 
   /// Places the points of a rule in a layer of the thickness h with its middle at z_middle.
   template <class Rule>

@@ -8,6 +8,8 @@
 
 #include <strike/error.hpp>
 #include <strike/range.hpp>
+#include <strike/section/fibres.hpp>
+#include <strike/section/laminate_stiffness.hpp>
 #include <strike/section/linear_stress.hpp>
 #include <strike/section/piece.hpp>
 #include <strike/section/slots.hpp>
@@ -21,6 +23,9 @@ namespace strike {
 ///   300}}
 /// A point at the height z is strained by membrane + z curvature; N, M = int sigma (1, z) dz; dQ = K gamma dt. The
 /// heights grow with the thickness of the plate. Layers fail on their own; a failed one carries no stress.
+///   Layered{LayUp{carbon, 0.125, {0, 45, -45, 90, 90, -45, 45, 0}}, FibreDirection{{1, 0, 0}}}
+/// With fibres it works in the axes of their FibreDirection, and turns what it is told and answers: stresses are those
+/// along and across the fibres of a ply, shear forces those along and across the direction.
 /// Errors: a thickness below zero, or none.
 template <class... Pieces>
 class Layered {
@@ -28,21 +33,40 @@ class Layered {
                         has_layers = (detail::Piece<Pieces>::is_layer || ...),
                         unique = (detail::Piece<Pieces>::is_shear + ... + 0) <= 1 &&
                                  (detail::Piece<Pieces>::is_offset + ... + 0) <= 1;
+
+ public:
+  /// Some layer has fibres.
+  static constexpr bool has_fibres = (detail::Piece<Pieces>::has_fibres || ...);
+
+ private:
+  using Shear = decltype(detail::shear_of(std::declval<Pieces>()...));
+  static constexpr bool directed = (detail::Piece<Pieces>::is_direction + ... + 0) == (has_fibres ? 1 : 0),
+                        shear_serves = !has_fibres || FibreShearPolicy<Shear>;
   static_assert(known,
-                "strike: a Layered is made of Layer{material, thickness}, bottom first, or Plies{layer, count}; then "
-                "an Offset{height} and one of EnergyShear, EffectiveShear, FiveSixthsShear and InstantaneousShear.");
+                "strike: a Layered is made of Layer{material, thickness}, bottom first, Plies{layer, count} or "
+                "LayUp{ply, thickness, {angles}}; then an Offset{height}, one of EnergyShear, EffectiveShear, "
+                "FiveSixthsShear and InstantaneousShear, and of plies with fibres a FibreDirection{vector}.");
   static_assert(!known || has_layers, "strike: a Layered needs at least one Layer{material, thickness}.");
   static_assert(unique, "strike: a Layered takes one shear policy and one Offset at most.");
+  static_assert(!known || !has_layers || !unique || directed || !has_fibres,
+                "strike: the fibres of a Layered have one direction from which their angles count: add one "
+                "FibreDirection{{x, y, z}} after its layers.");
+  static_assert(!known || !has_layers || !unique || directed || has_fibres,
+                "strike: no layer of this Layered has fibres: leave out its FibreDirection.");
+  static_assert(!known || !has_layers || !unique || !directed || shear_serves,
+                "strike: the shear policy of plies with fibres is EnergyShear{}, which is there without a word, or "
+                "FiveSixthsShear{}; this one knows isotropic layers alone.");
   static_assert((instantiates(static_cast<detail::ShearReport<Pieces>*>(nullptr)) && ...));
 
-  using Shear = decltype(detail::shear_of(std::declval<Pieces>()...));
+  using Flow = ShearFlow<std::conditional_t<has_fibres, Matrix2, double>>;
   static constexpr bool instantaneous = requires { typename Shear::template State<double>; };
   static constexpr bool begins = instantaneous || (detail::Piece<Pieces>::begins || ...);
   static constexpr bool can_fail = (detail::Piece<Pieces>::can_fail || ...);
   static constexpr std::array<bool, sizeof...(Pieces)> is_plies{detail::Piece<Pieces>::is_plies...};
 
  public:
-  static constexpr bool sound = known && has_layers && unique && (detail::Piece<Pieces>::is_sound && ...);
+  static constexpr bool sound =
+      known && has_layers && unique && directed && shear_serves && (detail::Piece<Pieces>::is_sound && ...);
   using Kinematics = PlateKinematics;
   /// Points of some layer can flow.
   static constexpr bool has_plastic_strain = (detail::Piece<Pieces>::has_plastic_strain || ...);
@@ -52,9 +76,9 @@ class Layered {
 
   /// Per layer the states of its points and that of the shear policy; the shear force.
   template <class T>
-  struct State : detail::ShearState<Shear, T> {
+  struct State : detail::ShearState<Shear, T>, detail::Heading<has_fibres, T> {
     detail::List<typename detail::Piece<Pieces>::template State<Shear, T>...> pieces;
-    Vector2<T> shear = Vector2<T>::Zero();  ///< Q [force/length]
+    Vector2<T> shear = Vector2<T>::Zero();  ///< Q [force/length], with fibres in the axes of their direction
 
     /// f(k, layer) for every layer, from k = 0 at the bottom; layer.points are the states of its material.
     template <class F>
@@ -82,7 +106,10 @@ class Layered {
   };
 
   explicit Layered(const Pieces&... pieces) : pieces_{{pieces}...}, shear_(detail::shear_of(pieces...)) {
-    if constexpr (sound) measure(detail::offset_of(pieces...));
+    if constexpr (sound) {
+      if constexpr (has_fibres) fibres_.direction = detail::direction_of(pieces...);
+      measure(detail::offset_of(pieces...));
+    }
   }
 
   void ranges(const auto& number) const {
@@ -105,9 +132,39 @@ class Layered {
   double offset() const { return offset_; }
   double rotary_inertia() const { return integrals_.rotary_inertia; }
   std::size_t layers() const { return layers_; }
-  /// The closed form of its elastic layers, and the stiffness that the policy makes of it.
-  const TransverseShear<double>& transverse_shear() const { return elastic_shear_; }
-  double shear_stiffness() const { return shear_stiffness_; }
+  /// The closed form of its elastic layers, and the stiffness that the policy makes of it; with fibres a LaminateShear
+  /// and a Matrix2.
+  const auto& transverse_shear() const {
+    if constexpr (has_fibres)
+      return fibres_.shear;
+    else
+      return elastic_shear_;
+  }
+  auto shear_stiffness() const {
+    if constexpr (has_fibres)
+      return fibres_.shear_stiffness;
+    else
+      return shear_stiffness_;
+  }
+  /// A, B and D at the start, in the axes of the FibreDirection.
+  const LaminateStiffness& laminate_stiffness() const
+    requires has_fibres
+  {
+    return fibres_.stiffness;
+  }
+
+  /// Sets the FibreDirection of a plate whose frame has the axes e1 and e2, at the start.
+  template <class T>
+    requires has_fibres
+  void align(State<T>& state, const Vector3<T>& e1, const Vector3<T>& e2) const {
+    state.align(fibres_.direction, e1, e2);
+  }
+  /// False if that direction is normal to the plate in this lane.
+  template <class T>
+    requires has_fibres
+  bool is_aligned(const State<T>& state, std::size_t l) const {
+    return lane(state.heading.cosine, l) != 0 || lane(state.heading.sine, l) != 0;
+  }
 
   /// A text for the user, empty if there is nothing to say: of the materials, and of the shear over half waves of a
   /// length, such as four elements.
@@ -120,7 +177,7 @@ class Layered {
       const auto& material = layer<i>().material;
       if constexpr (detail::Warns<std::remove_cvref_t<decltype(material)>>) add(material.warning());
     });
-    if constexpr (detail::warns_of_shear<Shear>) add(shear_.warning(elastic_shear_, length));
+    if constexpr (detail::warns_of_shear<Shear> && !has_fibres) add(shear_.warning(elastic_shear_, length));
     return all;
   }
 
@@ -155,13 +212,18 @@ class Layered {
 
   template <class T>
   PlateKinematics::Stress<T> stress(State<T>& state, const PlateKinematics::Rate<T>& rate, double dt) const {
-    return advance(state, rate, dt, [](auto...) { return NoLinear{}; });
+    const auto none = [](auto...) { return NoLinear{}; };
+    if constexpr (has_fibres)
+      return state.back(advance(state, state.into(rate), dt, none));
+    else
+      return advance(state, rate, dt, none);
   }
   /// The same with the linear stresses, which flow together with the others; gives their resultants too.
   template <class T>
   PlateKinematics::Stress<T> stress(State<T>& state, LinearState<T>& linear, const PlateKinematics::Rate<T>& rate,
-                                    const LinearRate<T>& linear_rate, double dt,
-                                    LinearResultants<T>& resultants) const {
+                                    const LinearRate<T>& linear_rate, double dt, LinearResultants<T>& resultants) const
+    requires(!has_fibres)
+  {
     const T& stretch = rate.relative_thickness;
     resultants = {};
     const auto stress = advance(state, rate, dt, [&](auto i, std::size_t p) {
@@ -183,12 +245,10 @@ class Layered {
   /// The resultants of the remembered stresses.
   template <class T>
   PlateKinematics::Stress<T> stress(const State<T>& state, const T& relative_thickness = T(1.0)) const {
-    detail::Resultants<T> sum;
-    each_layer(state, [&](const auto& material, const auto& measured, const auto& own) {
-      for (std::size_t i = 0; i < own.points.size(); ++i)
-        sum.add(T(measured.z[i]), T(measured.weight[i]), material.stress(own.points[i]));
-    });
-    return sum.stress(relative_thickness, state.shear, 0);
+    if constexpr (has_fibres)
+      return state.back(remembered(state, relative_thickness));
+    else
+      return remembered(state, relative_thickness);
   }
 
   /// Bounds of the tangent, those of the elastic layers.
@@ -213,14 +273,14 @@ class Layered {
 
   /// The transverse shear stress (tau_xz, tau_yz) in layer k at xi of its thickness, from 0 at its bottom to 1 at its
   /// top; between layers k and k + 1 it is that of (k, 1). By the flow of elastic layers, over the length of an
-  /// EffectiveShear.
+  /// EffectiveShear; with fibres in the axes of their direction.
   template <class T>
   Vector2<T> shear_stress(const State<T>& state, std::size_t k, double xi) const {
     Vector2<T> tau = Vector2<T>::Zero();
     std::size_t layer_k = 0;
     each_piece([&](auto i) {
       for (const auto& measured : detail::get<i>(measured_))
-        if (layer_k++ == k) tau = T(measured.flow(xi)) * state.shear;
+        if (layer_k++ == k) tau = detail::times<T>(measured.flow(xi), state.shear);
     });
     return tau;
   }
@@ -237,11 +297,38 @@ class Layered {
     LinearResultants<T>& sum;
   };
 
+  template <class T>
+  PlateKinematics::Stress<T> remembered(const State<T>& state, const T& relative_thickness) const {
+    detail::Resultants<T> sum;
+    each_layer(state, [&](const auto& material, const auto& measured, const auto& own) {
+      detail::Resultants<T> of_layer;
+      auto& own_sum = turns<std::remove_cvref_t<decltype(measured)>> ? of_layer : sum;
+      for (std::size_t i = 0; i < own.points.size(); ++i)
+        own_sum.add(T(measured.z[i]), T(measured.weight[i]), material.stress(own.points[i]));
+      add_turned(measured, of_layer, sum);
+    });
+    return sum.stress(relative_thickness, state.shear, 0);
+  }
+
+  /// A layer's own axes are not those of the section.
+  template <class Measured>
+  static constexpr bool turns = requires(const Measured measured) { measured.turn; };
+  /// Adds the resultants of a layer that has axes of its own.
+  template <class Measured, class T>
+  static void add_turned([[maybe_unused]] const Measured& measured,
+                         [[maybe_unused]] const detail::Resultants<T>& of_layer,
+                         [[maybe_unused]] detail::Resultants<T>& sum) {
+    if constexpr (turns<Measured>) {
+      sum.force += measured.turn.back(of_layer.force), sum.moment += measured.turn.back(of_layer.moment);
+      sum.normal_rate += of_layer.normal_rate;
+    }
+  }
+
   /// Advances all layers; linear(i, p) gives the linear stresses of layer p of piece i.
   template <class T, class F>
   [[gnu::always_inline]] PlateKinematics::Stress<T> advance(State<T>& state, const PlateKinematics::Rate<T>& rate,
                                                             double dt, F linear) const {
-    if (dt == 0) return stress(std::as_const(state), rate.relative_thickness);  // the start of a run, without rates
+    if (dt == 0) return remembered(state, rate.relative_thickness);  // the start of a run, without rates
     const T& stretch = rate.relative_thickness;
     const PlaneTensor<T> curvature = stretch * rate.curvature;  // per height in the reference configuration
     detail::Resultants<T> sum;
@@ -249,11 +336,22 @@ class Layered {
       const auto& measured = detail::get<i>(measured_);
       auto& own = detail::get<i>(state.pieces);
       for (std::size_t p = 0; p < measured.size(); ++p)
-        advance<T>(layer<i>().material, measured[p], own[p], rate.membrane, curvature, dt, sum, linear(i, p));
+        if constexpr (turns<std::remove_cvref_t<decltype(measured[p])>>) {
+          detail::Resultants<T> of_layer;
+          const PlaneTurn<double>& turn = measured[p].turn;
+          advance<T>(layer<i>().material, measured[p], own[p], turn.into(rate.membrane), turn.into(curvature), dt,
+                     of_layer, linear(i, p));
+          add_turned(measured[p], of_layer, sum);
+        } else {
+          advance<T>(layer<i>().material, measured[p], own[p], rate.membrane, curvature, dt, sum, linear(i, p));
+        }
     });
     if constexpr (instantaneous)
       state.shear_stiffness = shear_.limited(state.shear_stiffness, present_shear(state).stiffness);
-    state.shear += (T(dt) * stretch * stiffness(state)) * rate.shear;
+    if constexpr (has_fibres)
+      state.shear += (T(dt) * stretch) * detail::times<T>(fibres_.shear_stiffness, rate.shear);
+    else
+      state.shear += (T(dt) * stretch * stiffness(state)) * rate.shear;
     if constexpr (can_fail) state.shear = T(select(intact(state) > 0.0, T(1.0), T(0.0))) * state.shear;
     return sum.stress(stretch, state.shear, 1 / thickness_);
   }
@@ -347,26 +445,48 @@ class Layered {
     if (!(thickness_ > 0)) throw Error("strike: a section has no thickness: give one of its layers more than 0.");
 
     double bottom = offset - 0.5 * thickness_;
+    std::vector<LaminaStiffness> laminae;  // of a section with fibres
     each_piece([&](auto i) {
       const auto& [material, h, rule] = layer<i>();
       const PlaneModuli<double> moduli = detail::moduli_at_rest(material);
-      for (auto& measured : detail::get<i>(measured_)) {
+      for (std::size_t p = 0; p < detail::get<i>(measured_).size(); ++p) {
+        auto& measured = detail::get<i>(measured_)[p];
         const double z = bottom + 0.5 * h;
         measured.template place<std::remove_cvref_t<decltype(rule)>>(z, h);
         measured.elastic = {h, moduli};
         integrals_.add(h, z, moduli, density_of(material));
+        if constexpr (has_fibres) {
+          if constexpr (turns<std::remove_cvref_t<decltype(measured)>>) {
+            const auto& piece = detail::get<i>(pieces_);
+            measured.turn = turn_by_degrees(detail::Piece<std::remove_cvref_t<decltype(piece)>>::angle(piece, p) +
+                                            material.fibre_angle());
+            laminae.push_back({h, turned_back(material.plane_stiffness(), measured.turn),
+                               turned_back(material.transverse_stiffness(), measured.turn)});
+          } else {
+            laminae.push_back({h, detail::plane_stiffness(moduli), Matrix2(moduli.shear * Matrix2::Identity())});
+          }
+          fibres_.stiffness.add(h, z, laminae.back().plane);
+        }
         bottom += h;
       }
     });
 
-    const auto layers = [&](auto f) {
-      each_piece([&](auto i) {
-        for (const auto& measured : detail::get<i>(measured_)) f(measured.elastic);
-      });
-    };
-    elastic_shear_ = strike::transverse_shear<double>(layers);
-    shear_stiffness_ = shear_.stiffness(elastic_shear_);
-    const std::vector<ShearFlow<double>> flows = detail::shear_flows(shear_, elastic_shear_, layers);
+    std::vector<Flow> flows;
+    if constexpr (has_fibres) {
+      detail::bound_moduli(fibres_.stiffness, integrals_);
+      fibres_.shear = laminate_shear(laminae, flows);
+      fibres_.shear_stiffness = shear_.stiffness(fibres_.shear);
+      shear_stiffness_ = detail::largest_eigenvalue(fibres_.shear_stiffness);
+    } else {
+      const auto layers = [&](auto f) {
+        each_piece([&](auto i) {
+          for (const auto& measured : detail::get<i>(measured_)) f(measured.elastic);
+        });
+      };
+      elastic_shear_ = strike::transverse_shear<double>(layers);
+      shear_stiffness_ = shear_.stiffness(elastic_shear_);
+      flows = detail::shear_flows(shear_, elastic_shear_, layers);
+    }
     std::size_t k = 0;
     each_piece([&](auto i) {
       for (auto& measured : detail::get<i>(measured_)) measured.flow = flows[k++];
@@ -380,8 +500,10 @@ class Layered {
   }
 
   detail::List<Pieces...> pieces_;
-  detail::List<typename detail::Piece<Pieces>::Measured...> measured_;
+  detail::List<typename detail::Piece<Pieces>::template Measured<Flow>...> measured_;
   [[no_unique_address]] Shear shear_;
+  struct NoFibres {};
+  [[no_unique_address]] std::conditional_t<has_fibres, detail::FibreSection, NoFibres> fibres_;
   TransverseShear<double> elastic_shear_;
   detail::SectionIntegrals integrals_;
   double thickness_ = 0, offset_ = 0, shear_stiffness_ = 0;

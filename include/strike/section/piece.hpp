@@ -9,13 +9,14 @@
 
 #include <strike/material/material.hpp>
 #include <strike/range.hpp>
+#include <strike/section/fibres.hpp>
 #include <strike/section/integrals.hpp>
 #include <strike/section/linear_stress.hpp>
 #include <strike/section/thickness_rule.hpp>
 #include <strike/section/transverse_shear.hpp>
 
-// The pieces of a section: layers from the bottom to the top, each a Layer or some Plies; then at most one shear policy
-// and one Offset.
+// The pieces of a section: layers from the bottom to the top, each a Layer, some Plies or a LayUp; then at most one
+// shear policy and one Offset, and of fibres their FibreDirection.
 namespace strike {
 
 /// Rule of integration over the thickness of a layer.
@@ -42,11 +43,18 @@ concept ThicknessRule = requires {
 /// 4. A memory, all or none of: `State<T>` with `shear_stiffness`, K; `LayerState<T>` with `share`, of its elastic
 ///    moduli that a layer has left; `share(before, work, elastic_work)`, that after a step; and `limited(K_old, K)`, K
 ///    after a step in which the layers have K.
+/// 5. Of plies with fibres, which else it does not serve: `stiffness(shear)` of a LaminateShear, a Matrix2.
 /// Laws: K is positive and at most int G dz.
 /// Models: EnergyShear, EffectiveShear, FiveSixthsShear; InstantaneousShear has the memory.
 template <class P>
 concept ShearPolicy = requires(const P policy, const TransverseShear<double> shear) {
   { policy.stiffness(shear) } -> std::convertible_to<double>;
+};
+
+/// One that serves plies with fibres.
+template <class P>
+concept FibreShearPolicy = ShearPolicy<P> && requires(const P policy, const LaminateShear shear) {
+  { policy.stiffness(shear) } -> std::convertible_to<Matrix2>;
 };
 
 namespace detail {
@@ -148,7 +156,8 @@ struct Layer {
   static_assert(instantiates(static_cast<detail::Report<M>*>(nullptr)));
   static constexpr bool sound_material = detail::is_plane_material<M>(), sound_rule = ThicknessRule<R>,
                         sound_normal_rate = sound_material && detail::KnowsNormalRate<M>,
-                        sound = sound_rule && sound_normal_rate;
+                        sound_fibres = detail::HasFibres<M> || !detail::HasSomeFibres<M>,
+                        sound = sound_rule && sound_normal_rate && sound_fibres;
   static_assert(sound_material || detail::is_reported<M>(),
                 "strike: the material of a Layer answers in plane stress: wrap a solid in PlaneStress{...} or "
                 "ZeroNormalStress{...}.");
@@ -158,6 +167,10 @@ struct Layer {
   static_assert(sound_rule || !sound_material,
                 "strike: the third piece of a Layer is the rule over its thickness: Simpson<5>{}, Gauss<3>{}, "
                 "Lobatto<5>{} or one of your own with points and weights on [-1, 1].");
+
+  static_assert(!sound_normal_rate || sound_fibres,
+                "strike: a plane material with fibres has all of PlaneStiffness plane_stiffness(), Matrix2 "
+                "transverse_stiffness() and double fibre_angle(), const.");
 
   M material;
   double thickness;  ///< [length]
@@ -190,6 +203,30 @@ struct Plies {
 template <class L>
 Plies(L, std::size_t) -> Plies<L>;
 
+/// Plies of one material and thickness at angles, bottom first [degrees], from the FibreDirection of the section about
+/// the normal of the plate, beside the material's own:
+///   LayUp{carbon, 0.125, {0, 45, -45, 90, 90, -45, 45, 0}}
+template <class M, std::size_t n, class R = Gauss<2>>
+struct LayUp {
+  static_assert(
+      detail::HasFibres<M> || detail::is_reported<M>() || !detail::is_plane_material<M>(),
+      "strike: the material of a LayUp has fibres, such as OrthotropicPly; of any other write Plies{Layer{...}, "
+      "count}.");
+
+  Layer<M, R> layer;
+  std::array<double, n> angles;  ///< [degrees]
+
+  LayUp(const M& material, double thickness, const double (&angles_bottom_first)[n], const R& rule = {})
+      : layer{material, thickness, rule} {
+    for (std::size_t k = 0; k < n; ++k) angles[k] = angles_bottom_first[k];
+  }
+
+  void ranges(const auto& number) const {
+    number(layer);
+    number("angles", angles, range::finite);
+  }
+};
+
 /// Offset of the middle of a section from the surface of the nodes.
 struct Offset {
   double height;  ///< [length]
@@ -220,10 +257,12 @@ struct LayerState : ShearLayerState<Shear, T> {
 /// A piece of a section: a layer, some plies, or an option without layers.
 template <class P>
 struct Piece {
-  static constexpr bool is_shear = ShearPolicy<P>, is_offset = std::same_as<P, Offset>;
-  static constexpr bool is_layer = false, is_plies = false, is_known = is_shear || is_offset;
+  static constexpr bool is_shear = ShearPolicy<P>, is_offset = std::same_as<P, Offset>,
+                        is_direction = std::same_as<P, FibreDirection>, has_fibres = false;
+  static constexpr bool is_layer = false, is_plies = false, is_known = is_shear || is_offset || is_direction;
   static constexpr bool is_sound = shear_flaw<P>() == ShearFlaw::none;
   static constexpr bool begins = false, can_fail = false, has_plastic_strain = false;
+  template <class Flow>
   struct Measured {};
   template <class Shear, class T>
   struct State {};
@@ -232,31 +271,48 @@ struct Piece {
 };
 template <class M, class R>
 struct Piece<Layer<M, R>> {
-  static constexpr bool is_shear = false, is_offset = false;
+  static constexpr bool is_shear = false, is_offset = false, is_direction = false, has_fibres = HasFibres<M>;
   static constexpr bool is_layer = true, is_plies = false, is_known = true, is_sound = Layer<M, R>::sound;
   static constexpr bool begins = Begins<M>, can_fail = CanFail<M>;
   static constexpr bool has_plastic_strain =
       requires(const typename M::template State<double> state) { state.equivalent_plastic_strain; };
   template <class T>
   using PointState = typename M::template State<T>;
-  using Measured = std::array<MeasuredLayer<point_count<R>>, 1>;
+  template <class Flow>
+  using Measured = std::array<MeasuredLayer<point_count<R>, Flow, has_fibres>, 1>;
   template <class Shear, class T>
   using State = std::array<LayerState<Shear, Layer<M, R>, T>, 1>;
   template <class T>
   using LinearState = std::array<std::array<AlongEdges<T>, point_count<R>>, 1>;
   static const Layer<M, R>& layer(const Layer<M, R>& layer) { return layer; }
   static std::size_t count(const Layer<M, R>&) { return 1; }
+  /// Of layer k beside that of its material [degrees].
+  static double angle(const Layer<M, R>&, std::size_t) { return 0; }
 };
 template <class M, class R>
 struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
   static constexpr bool is_plies = true, begins = true;
-  using Measured = std::vector<MeasuredLayer<point_count<R>>>;
+  template <class Flow>
+  using Measured = std::vector<MeasuredLayer<point_count<R>, Flow, HasFibres<M>>>;
   template <class Shear, class T>
   using State = std::vector<LayerState<Shear, Layer<M, R>, T>>;
   template <class T>
   using LinearState = std::vector<std::array<AlongEdges<T>, point_count<R>>>;
   static const Layer<M, R>& layer(const Plies<Layer<M, R>>& plies) { return plies.layer; }
   static std::size_t count(const Plies<Layer<M, R>>& plies) { return plies.count; }
+  static double angle(const Plies<Layer<M, R>>&, std::size_t) { return 0; }
+};
+template <class M, std::size_t n, class R>
+struct Piece<LayUp<M, n, R>> : Piece<Layer<M, R>> {
+  template <class Flow>
+  using Measured = std::array<MeasuredLayer<point_count<R>, Flow, HasFibres<M>>, n>;
+  template <class Shear, class T>
+  using State = std::array<LayerState<Shear, Layer<M, R>, T>, n>;
+  template <class T>
+  using LinearState = std::array<std::array<AlongEdges<T>, point_count<R>>, n>;
+  static const Layer<M, R>& layer(const LayUp<M, n, R>& plies) { return plies.layer; }
+  static std::size_t count(const LayUp<M, n, R>&) { return n; }
+  static double angle(const LayUp<M, n, R>& plies, std::size_t k) { return plies.angles[k]; }
 };
 
 /// The first piece that has points; of a section without layers nothing.
@@ -299,6 +355,16 @@ std::array<PlaneTensor<T>, n> stresses_of(const M& material, std::array<P, n>& p
     for (std::size_t i = 0; i < n; ++i) stresses[i] = material.stress(points[i], rates[i], dt);
     return stresses;
   }
+}
+
+/// The FibreDirection among the pieces; without one zero.
+inline Eigen::Vector3d direction_of() { return Eigen::Vector3d::Zero(); }
+template <class P, class... Rest>
+Eigen::Vector3d direction_of(const P& piece, const Rest&... rest) {
+  if constexpr (Piece<P>::is_direction)
+    return piece.direction;
+  else
+    return direction_of(rest...);
 }
 
 /// f(i) for the places i of the pieces that have layers, bottom to top.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <strike/material/kinematics.hpp>
+#include <strike/material/plane_stiffness.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 #include <strike/text.hpp>
@@ -147,6 +148,13 @@ auto transverse_shear(const Layers& layers) {
   });
 }
 
+/// Transverse shear of a laminate with fibres, in its axes (strike/section/laminate_stiffness.hpp): matrices from
+/// (gamma_xz, gamma_yz) to (Q_x, Q_y).
+struct LaminateShear {
+  Matrix2 stiffness = Matrix2::Zero();  ///< K, symmetric and positive definite [force/length]
+  Matrix2 layer_sum = Matrix2::Zero();  ///< int G dz [force/length]
+};
+
 namespace detail {
 /// A warning where the error of K exceeds 5 %.
 [[gnu::cold]] inline std::string shear_warning(const TransverseShear<double>& shear, double length) {
@@ -164,6 +172,7 @@ struct EnergyShear {
   void ranges(const auto& number) const { number("length", length, range::not_negative); }
 
   double stiffness(const TransverseShear<double>& shear) const { return shear.stiffness; }
+  Matrix2 stiffness(const LaminateShear& shear) const { return shear.stiffness; }
   std::string warning(const TransverseShear<double>& shear, double known_length) const {
     return detail::shear_warning(shear, length > 0 ? length : known_length);
   }
@@ -190,6 +199,7 @@ struct EffectiveShear {
 /// 5/6 of the sum of G h, exact for one layer alone.
 struct FiveSixthsShear {
   double stiffness(const TransverseShear<double>& shear) const { return 5.0 / 6.0 * shear.layer_sum; }
+  Matrix2 stiffness(const LaminateShear& shear) const { return 5.0 / 6.0 * shear.layer_sum; }
   [[gnu::cold]] std::string warning(const TransverseShear<double>& shear, double) const {
     const double ratio = stiffness(shear) / shear.stiffness;
     if (ratio < 1.05) return {};

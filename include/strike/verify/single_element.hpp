@@ -97,6 +97,9 @@ class SingleElement {
     weigh(element_.begin(state_, material_, X));
     if (!(mass_ > 0))
       throw Error("strike: the SingleElement has no positive mass: give its corners in the right order, none twice.");
+    if constexpr (requires { material_.is_aligned(state_.material, std::size_t{}); })
+      if (!material_.is_aligned(state_.material, 0))
+        throw Error("strike: the FibreDirection is normal to the plate of the SingleElement; choose another.");
     const auto response = element_.advance(state_, material_, X, Vectors::Zero().eval(), 0.0);
     record_.stress = mean_stress();
     record_.force = response.force;
