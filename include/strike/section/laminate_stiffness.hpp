@@ -82,7 +82,7 @@ inline LaminateShear laminate_shear(const std::vector<LaminaStiffness>& layers,
   flows.assign(layers.size(), ShearFlow<Matrix2>{zero, zero, zero});
   std::vector<ShearFlow<Vector>> tau(layers.size());
   Matrix2 squares = Matrix2::Zero();
-  constexpr int directions = 180;
+  constexpr int directions = 720;
   for (int i = 0; i < directions; ++i) {
     const double angle = std::numbers::pi * i / directions;
     const Vector n(std::cos(angle), std::sin(angle));
@@ -116,15 +116,21 @@ inline LaminateShear laminate_shear(const std::vector<LaminaStiffness>& layers,
     squares += Q_n * Q_n.transpose();
   }
 
-  const Matrix2 per_square = detail::inverse(squares);
+  const auto multiply = [&](const Matrix2& by) {
+    for (ShearFlow<Matrix2>& f : flows) f = {Matrix2(f.bottom * by), Matrix2(f.top * by), Matrix2(f.bulge * by)};
+  };
+  multiply(detail::inverse(squares));
+  Matrix2 integral = Matrix2::Zero();  // 1 but for rounding, which very stiff fibres magnify
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    integral += layers[k].thickness * (0.5 * (flows[k].bottom + flows[k].top) + (2.0 / 3.0) * flows[k].bulge);
+  multiply(detail::inverse(integral));
+
   Matrix2 flexibility = Matrix2::Zero();
   const double least = 1e-12 * detail::largest_eigenvalue(shear.layer_sum) / thickness;
   for (std::size_t k = 0; k < layers.size(); ++k) {
-    ShearFlow<Matrix2>& f = flows[k];
-    f = {Matrix2(f.bottom * per_square), Matrix2(f.top * per_square), Matrix2(f.bulge * per_square)};
     LaminaStiffness layer = layers[k];
     if (-detail::largest_eigenvalue(-layer.shear) < least) layer.shear += least * Matrix2::Identity();
-    flexibility += detail::shear_energy(layer, f);
+    flexibility += detail::shear_energy(layer, flows[k]);
   }
   shear.stiffness = detail::inverse(flexibility);
   return shear;
