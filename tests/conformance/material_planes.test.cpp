@@ -5,9 +5,11 @@
 
 #include "conformance/laws.hpp"
 #include "conformance/material.hpp"
+#include "support/plies.hpp"
 
 using namespace strike;
 using namespace strike::testing::laws;
+using testing::carbon, testing::carbon_chang, testing::carbon_hashin, testing::carbon_maximum;
 using testing::conforms;
 
 namespace {
@@ -56,7 +58,7 @@ struct Fabric {
 // The concept, in both directions.
 static_assert(PlaneMaterial<PlaneStress<Elastic>> && PlaneMaterial<PlaneStress<Solid<LinearEos, VonMises>>>);
 static_assert(PlaneMaterial<ZeroNormalStress<Elastic>> && PlaneMaterial<ZeroNormalStress<Solid<CubicEos, VonMises>>>);
-static_assert(PlaneMaterial<Fabric>);
+static_assert(PlaneMaterial<Fabric> && PlaneMaterial<OrthotropicPly> && PlaneMaterial<FailingPly<Hashin>>);
 static_assert(!PlaneMaterial<Elastic> && !PlaneMaterial<Solid<LinearEos, VonMises>> && !PlaneMaterial<int>);
 static_assert(!SolidMaterial<PlaneStress<Elastic>> && !PlateSection<PlaneStress<Elastic>>);
 
@@ -68,6 +70,7 @@ static_assert(numbers<PlaneStress<Solid<LinearEos, ElasticStrength>>> == 3);
 static_assert(numbers<PlaneStress<Solid<LinearEos, VonMises>>> == 4);                 // and plastic strain
 static_assert(numbers<PlaneStress<Solid<LinearEos, JohnsonCook>>> == 5);              // and temperature
 static_assert(numbers<PlaneStress<Solid<LinearEos, VonMises, FailureStrain>>> == 5);  // and whether it is intact
+static_assert(numbers<OrthotropicPly> == 3 && numbers<FailingPly<Hashin>> == 5);      // and of fibres and matrix
 static_assert(numbers<ZeroNormalStress<Solid<LinearEos, VonMises>>> == 7 + 2);  // the solid's, volume and rate across
 static_assert(sizeof(PlaneStress<Solid<LinearEos, VonMises>>) == sizeof(Solid<LinearEos, VonMises>));
 
@@ -107,3 +110,8 @@ TEST_CASE("conformance: ZeroNormalStress of LinearEos and a law of this test") {
 }
 
 TEST_CASE("conformance: a plane material of this test") { conforms(Fabric{50e9, 1e9}); }
+
+TEST_CASE("conformance: OrthotropicPly") { conforms(carbon); }
+TEST_CASE("conformance: FailingPly of MaximumStress") { conforms(FailingPly{carbon, carbon_maximum}); }
+TEST_CASE("conformance: FailingPly of Hashin") { conforms(FailingPly{carbon, carbon_hashin}); }
+TEST_CASE("conformance: FailingPly of ChangChang") { conforms(FailingPly{carbon, carbon_chang}); }

@@ -200,14 +200,14 @@ void reproduces_linear_plate_motions(const E& element, Quadrilaterals shapes) {
 
 /// It does not matter with which corner the numbers begin; nor, for a section that is the same from above and below,
 /// whether they go round one way or the other.
-template <class E>
-void numbering_does_not_matter(const E& element, Quadrilaterals shapes) {
+template <class E, class Section = decltype(metal_plate)>
+void numbering_does_not_matter(const E& element, Quadrilaterals shapes, const Section& section = metal_plate) {
   constexpr int orders[][4] = {{1, 2, 3, 0}, {2, 3, 0, 1}, {3, 0, 1, 2}, {0, 3, 2, 1}};
   for (int trial = 0; trial < 5; ++trial) {
     const detail::RandomSteps steps(shapes);
-    const auto expected = steps.run(element, metal_plate);
+    const auto expected = steps.run(element, section);
     for (const auto& order : orders) {
-      const auto found = steps.renumbered(order).run(element, metal_plate);
+      const auto found = steps.renumbered(order).run(element, section);
       const double rounding = 1e-13 * detail::size(expected.x);  // of forces of a strain of 1
       for (int i = 0; i < 4; ++i) {
         CHECK((found.force.col(i) - expected.force.col(order[i])).norm() <= rounding);

@@ -9,6 +9,7 @@
 #include <strike/verify/path.hpp>
 #include <strike/verify/workbench.hpp>
 
+#include "support/plies.hpp"
 #include "support/tnt.hpp"
 
 using namespace strike;
@@ -111,6 +112,10 @@ TEST_CASE("conformance: wrong numbers of materials are refused") {
   refuses(Explosive{tnt::products, DetonationPlane{{.1, .2, .3}, {1, 2, 2}, -1e-3}, burn});
   refuses(PlaneStress{Solid{linear, von_mises, UltimateStress{20e6}}});
   refuses(ZeroNormalStress{Solid{linear, von_mises}});
+  refuses(testing::carbon);
+  refuses(FailingPly{testing::carbon, testing::carbon_maximum});
+  refuses(FailingPly{testing::carbon, testing::carbon_hashin});
+  refuses(FailingPly{testing::carbon, testing::carbon_chang});
   const auto user = [](const auto& options) { return testing::detail::works(Vumat<2>{options}); };
   testing::refuses_wrong_numbers(VumatOptions<double>{.routine = elastic_routine<double>,
                                                       .density = 2700,
@@ -137,6 +142,8 @@ TEST_CASE("conformance: wrong numbers of sections are refused") {
   refuses(EnergyShear{.length = 1}, layer);
   refuses(EffectiveShear{.length = 1}, layer, layer);
   refuses(InstantaneousShear{.length = 1}, layer);
+  refuses(FibreDirection{{1, 2, 0}}, LayUp{testing::carbon, .1, {0, 45}});
+  refuses(LayUp{testing::carbon, .1, {0, 45}}, FibreDirection{{1, 2, 0}});
   tried.print("sections");
 }
 

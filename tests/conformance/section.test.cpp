@@ -3,6 +3,8 @@
 #include <strike/material.hpp>
 #include <strike/section.hpp>
 
+#include "support/plies.hpp"
+
 using namespace strike;
 using testing::conforms;
 
@@ -37,4 +39,10 @@ TEST_CASE("conformance: a section whose layers fail") {
 }
 TEST_CASE("conformance: a section whose shear follows its layers") {
   conforms(Layered{Layer{aluminium, 1e-3}, Layer{glass, 2e-3}, InstantaneousShear{}});
+}
+TEST_CASE("conformance: sections of fibres") {
+  conforms(testing::of_four(testing::carbon, .125, {0, 45, -45, 90}));
+  conforms(testing::of_four(FailingPly{testing::carbon, testing::carbon_hashin}, .125, {0, 90, 30, 10}));
+  conforms(Layered{Layer{testing::carbon, .3}, Layer{PlaneStress{Elastic{1e-9, 3e3, .4}}, .1},
+                   FibreDirection{{0, 1, 0}}, FiveSixthsShear{}, Offset{.2}});
 }

@@ -27,10 +27,6 @@ concept PlyCriterion = requires(const C criterion, const PlaneTensor<T> stress) 
 };
 
 namespace detail {
-void strength_ranges(const auto& number, double Xt, double Xc, double Yt, double Yc) {
-  number("Xt", Xt, range::positive), number("Xc", Xc, range::positive);
-  number("Yt", Yt, range::positive), number("Yc", Yc, range::positive);
-}
 /// (s/strength)^2 in tension or in compression.
 template <class T>
 T squared_ratio(const T& s, double tension, double compression) {
@@ -54,7 +50,8 @@ struct MaximumStress {
   double S;       ///< in shear [stress]
 
   void ranges(const auto& number) const {
-    detail::strength_ranges(number, Xt, Xc, Yt, Yc);
+    number("Xt", Xt, range::positive), number("Xc", Xc, range::positive);
+    number("Yt", Yt, range::positive), number("Yc", Yc, range::positive);
     number("S", S, range::positive);
   }
 
@@ -75,7 +72,8 @@ struct Hashin {
   double SL, ST;  ///< in shear along the fibres and across them [stress]
 
   void ranges(const auto& number) const {
-    detail::strength_ranges(number, Xt, Xc, Yt, Yc);
+    number("Xt", Xt, range::positive), number("Xc", Xc, range::positive);
+    number("Yt", Yt, range::positive), number("Yc", Yc, range::positive);
     number("SL", SL, range::positive), number("ST", ST, range::positive);
   }
 
@@ -98,7 +96,8 @@ struct ChangChang {
   double beta = 1;  ///< weight of the shear in the failure of fibres; theirs is 1
 
   void ranges(const auto& number) const {
-    detail::strength_ranges(number, Xt, Xc, Yt, Yc);
+    number("Xt", Xt, range::positive), number("Xc", Xc, range::positive);
+    number("Yt", Yt, range::positive), number("Yc", Yc, range::positive);
     number("S", S, range::positive), number("beta", beta, range::share);
   }
 
