@@ -132,9 +132,9 @@ void erode(Elements<E, M, T, Removal>& elements, std::size_t b, const typename E
   for (std::size_t l = 0; l < elements.count(b); ++l)
     if (lane(left, l) < lane(removal.alive, l)) deletions.add({1, static_cast<double>(lane(removal.energy, l))});
   removal.alive = left;
-  const auto now = numbers_of<T>(state);
-  auto kept = numbers_of<T>(block.state);
-  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = select(stays, now[i], kept[i]);
+  visit_numbers<T>(block.state, state, [&](auto kept, auto now) {
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = select(stays, now[i], kept[i]);
+  });
   if constexpr (requires { elements.element.record(block.state, response); })
     elements.element.record(block.state, response);
 }

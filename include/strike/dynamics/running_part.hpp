@@ -188,7 +188,7 @@ class RunningPart {
     archive.same(detail::name_of<RunningPart>(), elements_.size, elements_.order);
     for (Block& block : elements_.blocks) {
       archive.same(block.nodes);
-      archive(numbers_of<T>(block.state));
+      visit_numbers<T>(block.state, block.state, [&](auto numbers, auto) { archive(numbers); });
       if constexpr (erodes) archive(numbers_of<T>(block.removal));
     }
     archive(volume_, newly_deleted_, deletions_);

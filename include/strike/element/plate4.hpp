@@ -1,6 +1,7 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <type_traits>
 
 #include <strike/element/plate4_resistance.hpp>
@@ -87,6 +88,14 @@ struct Plate4 {
     [[no_unique_address]] typename Drilling::template State<T> drilling{};
     [[no_unique_address]] typename Section::template State<T> material{};
 
+    /// All its numbers beside those of another, where its section holds lists.
+    template <class F>
+    void visit_numbers(const State& other, const F& f) {
+      const auto visit = [&](auto& own, const auto& others) { strike::visit_numbers<T>(own, others, f); };
+      f(std::span<T, 1>(&inverse_area, 1), std::span<const T, 1>(&other.inverse_area, 1));
+      visit(thickness, other.thickness), visit(hourglass, other.hourglass), visit(drilling, other.drilling);
+      visit(material, other.material);
+    }
     template <class F>
     void each_point(F f) const {
       if constexpr (requires { material.each_point(f); })

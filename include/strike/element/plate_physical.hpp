@@ -30,6 +30,11 @@ template <class Section, class T>
 struct PhysicalPlateState {
   typename LinearStateOf<Section, T>::type linear{};
   AlongEdges<T> shear{};
+
+  template <class F>
+  void visit_numbers(const PhysicalPlateState& other, const F& f) {
+    strike::visit_numbers<T>(linear, other.linear, f), strike::visit_numbers<T>(shear, other.shear, f);
+  }
 };
 
 /// Memory of the control of a plate.

@@ -138,4 +138,15 @@ auto numbers_of(Aggregate& aggregate) {
                                                           sizeof(Aggregate) / sizeof(T));
 }
 
+/// f(numbers of a, numbers of b) of two such aggregates; where they hold lists, all that a.visit_numbers(b, f) visits.
+template <class T, class Aggregate, class F>
+void visit_numbers(Aggregate& a, const Aggregate& b, const F& f) {
+  if constexpr (std::is_empty_v<Aggregate>)
+    return;
+  else if constexpr (std::is_trivially_destructible_v<Aggregate>)
+    f(numbers_of<T>(a), numbers_of<T>(b));
+  else
+    a.visit_numbers(b, f);
+}
+
 }  // namespace strike

@@ -88,6 +88,18 @@ class Layered {
         for (const auto& layer : detail::get<i>(pieces)) f(k++, layer);
       });
     }
+    /// All its numbers beside those of another, where Plies make it a list.
+    template <class F>
+    void visit_numbers(const State& other, const F& f) {
+      const auto visit = [&]<class A>(A& own, const A& others) { strike::visit_numbers<T>(own, others, f); };
+      visit.template operator()<detail::ShearState<Shear, T>>(*this, other);
+      visit.template operator()<detail::Heading<has_fibres, T>>(*this, other);
+      detail::each_layered_piece<Pieces...>([&](auto i) {
+        auto& layers = detail::get<i>(pieces);
+        for (std::size_t p = 0; p < layers.size(); ++p) visit(layers[p], detail::get<i>(other.pieces)[p]);
+      });
+      visit(shear, other.shear);
+    }
     /// f(point) for all points.
     template <class F>
     void each_point(F f) const {
@@ -185,6 +197,15 @@ class Layered {
   template <class T>
   struct LinearState {
     detail::List<typename detail::Piece<Pieces>::template LinearState<T>...> pieces;
+
+    template <class F>
+    void visit_numbers(const LinearState& other, const F& f) {
+      detail::each_layered_piece<Pieces...>([&](auto i) {
+        auto& layers = detail::get<i>(pieces);
+        for (std::size_t p = 0; p < layers.size(); ++p)
+          strike::visit_numbers<T>(layers[p], detail::get<i>(other.pieces)[p], f);
+      });
+    }
   };
   template <class T>
   void begin(LinearState<T>& linear) const {
