@@ -112,10 +112,11 @@ TEST_CASE("conformance: wrong numbers of materials are refused") {
   refuses(Explosive{tnt::products, DetonationPlane{{.1, .2, .3}, {1, 2, 2}, -1e-3}, burn});
   refuses(PlaneStress{Solid{linear, von_mises, UltimateStress{20e6}}});
   refuses(ZeroNormalStress{Solid{linear, von_mises}});
-  refuses(testing::carbon);
-  refuses(FailingPly{testing::carbon, testing::carbon_maximum});
-  refuses(FailingPly{testing::carbon, testing::carbon_hashin});
-  refuses(FailingPly{testing::carbon, testing::carbon_chang});
+  const OrthotropicPly carbon{.density = 1600, .E1 = 140e9, .E2 = 9e9, .nu12 = .3, .G12 = 5e9, .G13 = 5e9, .G23 = 3e9};
+  refuses(carbon);
+  refuses(FailingPly{carbon, MaximumStress{.Xt = 2e9, .Xc = 1e9, .Yt = 50e6, .Yc = 200e6, .S = 90e6}});
+  refuses(FailingPly{carbon, Hashin{.Xt = 2e9, .Xc = 1e9, .Yt = 50e6, .Yc = 200e6, .SL = 90e6, .ST = 70e6}});
+  refuses(FailingPly{carbon, ChangChang{.Xt = 2e9, .Xc = 1e9, .Yt = 50e6, .Yc = 200e6, .S = 90e6, .beta = .5}});
   const auto user = [](const auto& options) { return testing::detail::works(Vumat<2>{options}); };
   testing::refuses_wrong_numbers(VumatOptions<double>{.routine = elastic_routine<double>,
                                                       .density = 2700,
@@ -142,6 +143,10 @@ TEST_CASE("conformance: wrong numbers of sections are refused") {
   refuses(EnergyShear{.length = 1}, layer);
   refuses(EffectiveShear{.length = 1}, layer, layer);
   refuses(InstantaneousShear{.length = 1}, layer);
+  testing::refuses_wrong_numbers(Delamination{.shear_strength = 60e6}, tried, [](const auto& indicator) {
+    testing::detail::check_ranges(indicator);
+    return true;
+  });
   refuses(FibreDirection{{1, 2, 0}}, LayUp{testing::carbon, .1, {0, 45}});
   refuses(LayUp{testing::carbon, .1, {0, 45}}, FibreDirection{{1, 2, 0}});
   tried.print("sections");

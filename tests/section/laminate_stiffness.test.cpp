@@ -19,6 +19,7 @@ using testing::carbon, testing::four_plies, testing::of_four, testing::pagano_pl
 
 namespace {
 
+using strike::detail::LaminaStiffness, strike::detail::laminate_shear;
 using Rate = PlateKinematics::Rate<double>;
 
 /// Q in turned axes by the invariants of Tsai and Pagano (Jones 1975, chapter 2), a road of its own.

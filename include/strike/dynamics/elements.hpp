@@ -15,6 +15,7 @@
 #include <strike/material/material.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/motion/gather.hpp>
+#include <strike/range.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {
@@ -172,6 +173,7 @@ struct Elements {
   /// Of every element: the mean over its points of f(point), or of a section f(section, its state).
   template <class F>
   auto field(const F& f) const {
+    check_ranges(f);
     if constexpr (ValueOfSection<F, M, T>)
       return per_element([&](const State& state) { return f(material, state.material); });
     else
@@ -181,6 +183,7 @@ struct Elements {
   /// The same of layer k. Error: it has none.
   template <class F>
   auto field(std::size_t k, const F& f) const {
+    check_ranges(f);
     if constexpr (ValueOfSection<F, M, T, std::size_t>) {
       check_layer(k);
       return per_element([&](const State& state) { return f(material, state.material, k); });

@@ -24,7 +24,19 @@ template <class M>
 concept HasKinematics = requires { typename M::Kinematics; };
 
 /// The faults of a part, in the order in which they are looked for.
-enum class Flaw { none, reported, element, material, pair, corners, material_members, element_members, keeps, removal };
+enum class Flaw {
+  none,
+  reported,
+  element,
+  material,
+  pair,
+  corners,
+  fibres,
+  material_members,
+  element_members,
+  keeps,
+  removal
+};
 
 template <class E, class M, std::size_t n, class Removal>
 constexpr Flaw flaw() {
@@ -38,6 +50,8 @@ constexpr Flaw flaw() {
     return Flaw::pair;
   else if constexpr (static_cast<std::size_t>(E::nodes) != n)
     return Flaw::corners;
+  else if constexpr (requires { requires M::has_fibres && E::physical; })
+    return Flaw::fibres;
   else if constexpr (!Material<M>)
     return Flaw::material_members;
   else if constexpr (!Element<E, M>)
@@ -75,6 +89,9 @@ struct Part {
       "does not know.");
   static_assert(flaw != detail::Flaw::corners,
                 "strike: these cells do not have as many nodes as the element of the Part.");
+  static_assert(flaw != detail::Flaw::fibres,
+                "strike: PhysicalHourglass knows isotropic layers alone: give plates with fibres Plate4{}, whose "
+                "control is PlateHourglass.");
   static_assert(flaw != detail::Flaw::material_members,
                 "strike: this material lacks one of State<T>, density(), stress(state, rate, dt), stress(state) and "
                 "moduli(state, rate), or it returns another type; see strike/material/material.hpp.");

@@ -44,10 +44,6 @@ struct PlateControlState {
 };
 template <class Section, class T>
 struct PlateControlState<PhysicalHourglass, Section, T> {
-  static_assert(
-      !requires { requires Section::has_fibres; },
-      "strike: PhysicalHourglass knows isotropic layers alone: give plates with fibres Plate4{}, whose "
-      "control is PlateHourglass.");
   using type = PhysicalPlateState<Section, T>;
 };
 

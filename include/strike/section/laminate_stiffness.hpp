@@ -14,13 +14,6 @@
 // The stiffness of a laminate whose layers may have fibres: classical lamination theory, bounds, and transverse shear.
 namespace strike {
 
-/// A layer as elastic, in the axes of its laminate.
-struct LaminaStiffness {
-  double thickness;      ///< [length]
-  PlaneStiffness plane;  ///< Q [stress]
-  Matrix2 shear;         ///< of (gamma_xz, gamma_yz) [stress]
-};
-
 /// Classical lamination theory (Jones 1975, chapter 4): N = A eps + B kappa, M = B eps + D kappa of the strains
 /// (xx, yy, gamma_xy) and the curvatures (xx, yy, 2 xy) of the surface of the nodes.
 struct LaminateStiffness {
@@ -33,6 +26,13 @@ struct LaminateStiffness {
 };
 
 namespace detail {
+
+/// A layer as elastic, in the axes of its laminate.
+struct LaminaStiffness {
+  double thickness;      ///< [length]
+  PlaneStiffness plane;  ///< Q [stress]
+  Matrix2 shear;         ///< of (gamma_xz, gamma_yz) [stress]
+};
 
 inline Matrix2 inverse(const Matrix2& A) {
   Matrix2 adjugate;
@@ -54,8 +54,6 @@ inline Matrix2 shear_energy(const LaminaStiffness& layer, const ShearFlow<Matrix
          ((1.0 / 3.0) * (product(f.bottom, f.bottom) + product(f.bottom, f.top) + product(f.top, f.top)) +
           (2.0 / 3.0) * product(f.bulge, both) + (8.0 / 15.0) * product(f.bulge, f.bulge));
 }
-
-}  // namespace detail
 
 /// K of a laminate, and f, tau = f Q, the transverse shear stress of every layer from bottom to top.
 ///
@@ -97,7 +95,7 @@ inline LaminateShear laminate_shear(const std::vector<LaminaStiffness>& layers,
       const Matrix2 Ch = layer.thickness * acoustic(layer);
       extension += Ch, coupling += (z + 0.5 * layer.thickness) * Ch, z += layer.thickness;
     }
-    const Vector a = -(detail::inverse(extension) * (coupling * n));
+    const Vector a = -(inverse(extension) * (coupling * n));
     Vector at = Vector::Zero(), Q_n = Vector::Zero();
     z = -0.5 * thickness;
     for (std::size_t k = 0; k < layers.size(); ++k) {
@@ -119,24 +117,22 @@ inline LaminateShear laminate_shear(const std::vector<LaminaStiffness>& layers,
   const auto multiply = [&](const Matrix2& by) {
     for (ShearFlow<Matrix2>& f : flows) f = {Matrix2(f.bottom * by), Matrix2(f.top * by), Matrix2(f.bulge * by)};
   };
-  multiply(detail::inverse(squares));
+  multiply(inverse(squares));
   Matrix2 integral = Matrix2::Zero();  // 1 but for rounding, which very stiff fibres magnify
   for (std::size_t k = 0; k < layers.size(); ++k)
     integral += layers[k].thickness * (0.5 * (flows[k].bottom + flows[k].top) + (2.0 / 3.0) * flows[k].bulge);
-  multiply(detail::inverse(integral));
+  multiply(inverse(integral));
 
   Matrix2 flexibility = Matrix2::Zero();
-  const double least = 1e-12 * detail::largest_eigenvalue(shear.layer_sum) / thickness;
+  const double least = 1e-12 * largest_eigenvalue(shear.layer_sum) / thickness;
   for (std::size_t k = 0; k < layers.size(); ++k) {
     LaminaStiffness layer = layers[k];
-    if (-detail::largest_eigenvalue(-layer.shear) < least) layer.shear += least * Matrix2::Identity();
-    flexibility += detail::shear_energy(layer, flows[k]);
+    if (-largest_eigenvalue(-layer.shear) < least) layer.shear += least * Matrix2::Identity();
+    flexibility += shear_energy(layer, flows[k]);
   }
-  shear.stiffness = detail::inverse(flexibility);
+  shear.stiffness = inverse(flexibility);
   return shear;
 }
-
-namespace detail {
 
 /// Isotropic bounds of the tangent of a laminate. About the height z at which the trace of the coupling vanishes, with
 /// the bounds a of A and d of D, and r = |a^-1/2 B d^-1/2|,

@@ -466,7 +466,7 @@ class Layered {
     if (!(thickness_ > 0)) throw Error("strike: a section has no thickness: give one of its layers more than 0.");
 
     double bottom = offset - 0.5 * thickness_;
-    std::vector<LaminaStiffness> laminae;  // of a section with fibres
+    std::vector<detail::LaminaStiffness> laminae;  // of a section with fibres
     each_piece([&](auto i) {
       const auto& [material, h, rule] = layer<i>();
       const PlaneModuli<double> moduli = detail::moduli_at_rest(material);
@@ -495,7 +495,7 @@ class Layered {
     std::vector<Flow> flows;
     if constexpr (has_fibres) {
       detail::bound_moduli(fibres_.stiffness, integrals_);
-      fibres_.shear = laminate_shear(laminae, flows);
+      fibres_.shear = detail::laminate_shear(laminae, flows);
       fibres_.shear_stiffness = shear_.stiffness(fibres_.shear);
       shear_stiffness_ = detail::largest_eigenvalue(fibres_.shear_stiffness);
     } else {
