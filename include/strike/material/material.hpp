@@ -68,11 +68,15 @@ auto moduli_at_rest(const M& material) {
 /// 18. `has_shear_modulus`: false, if the shear modulus is always 0, so that no hourglass control looks for one.
 /// 19. Of a section, by which the linear stresses of PhysicalHourglass follow its points: `LinearState<T>` and
 ///     stress(state, linear, rate, linear_rate, dt, resultants) (strike/section/linear_stress.hpp).
+/// 20. Of a plane material with fibres, which answers in axes of its own: `plane_stiffness()`, `transverse_stiffness()`
+///     and `fibre_angle()`, by which a section turns it (strike/material/orthotropic_ply.hpp).
+/// 21. Of a section, whose plates have a direction: `align(state, e1, e2)` after begin, of the axes of their frame, and
+///     `is_aligned(state, lane)`, false if that direction is normal to the plate (strike/section/fibres.hpp).
 /// Laws (tests/conformance): at rest the stress does not grow (but where a viscoelastic one recovers); lane i of a pack
 /// gives what a double gives; a closed cycle of strain gives no energy back; rho c^2 + 2 viscosity/dt bounds the
 /// tangent; in a step without time, dt = 0, the remembered stress stays and a section's normal_rate is finite.
-/// Models: Elastic, Solid, Fluid, Explosive, Vumat (solids); PlaneStress, ZeroNormalStress (planes); Layered,
-/// Homogeneous (sections).
+/// Models: Elastic, Solid, Fluid, Explosive, Vumat (solids); PlaneStress, ZeroNormalStress, OrthotropicPly, FailingPly
+/// (planes); Layered, Homogeneous (sections).
 template <class M, class T = double>
 concept Material =
     requires(const M m, typename M::template State<T> state, typename M::Kinematics::template Rate<T> rate, double dt) {
