@@ -30,17 +30,21 @@ namespace {
 struct Blow {
   template <class N>
   void begin(N& nodes) const {
-    for (const std::size_t i : {52u, 53u, 62u, 63u}) nodes.set_velocity(i, {1e4, -1e4, 1.5e5});
+    for (const std::size_t i : {52u, 53u, 62u, 63u}) nodes.set_velocity(i, {1e4, -1e4, 3e5});
   }
   template <class Archive>
   void serialize(Archive&) {}
 };
 
 template <class Section, class... Policies>
-auto struck(const Section& section, const Policies&... policies) {
+auto struck_to(double strain, const Section& section, const Policies&... policies) {
   const Mesh mesh = rectangle({.size = {36, 40}, .cells = {9, 10}});
-  return Explicit{Scene{mesh.nodes, Part{Plate4{}, section, mesh.quadrilaterals, Erosion{.strain = 0.03}}, Blow{}},
+  return Explicit{Scene{mesh.nodes, Part{Plate4{}, section, mesh.quadrilaterals, Erosion{.strain = strain}}, Blow{}},
                   ExplicitOptions{}, policies...};
+}
+template <class Section, class... Policies>
+auto struck(const Section& section, const Policies&... policies) {
+  return struck_to(0.02, section, policies...);
 }
 auto laminate() { return testing::of_four(FailingPly{carbon, carbon_hashin}, 0.25, {0, 45, -45, 90}); }
 constexpr double end = 2e-5;
@@ -108,7 +112,9 @@ TEST_CASE("fibres: a run with erosion goes on from a checkpoint to the bit") {
 }
 TEST_CASE("plies whose number is known when the program runs go on from a checkpoint and are eroded") {
   const PlaneStress glass{Elastic{.density = 2.5e-9, .youngs_modulus = 70e3, .poissons_ratio = .22}};
-  goes_on_to_the_bit([&] { return struck(Layered{Plies{Layer{glass, 0.25, Gauss<2>{}}, 4}, InstantaneousShear{}}); });
+  goes_on_to_the_bit([&] {
+    return struck_to(0.001, Layered{Plies{Layer{glass, 0.25, Gauss<2>{}}, 4}, InstantaneousShear{}});
+  });
   goes_on_to_the_bit([&] {
     return struck(
         Layered{Plies{Layer{FailingPly{carbon, carbon_hashin}, 0.25, Gauss<2>{}}, 4}, FibreDirection{{1, 1, 0}}});
