@@ -105,12 +105,13 @@ template <class Data>
 template <class Model>
 using Local = std::conditional_t<std::is_trivially_copyable_v<Model>, const Model, const Model&>;
 
-/// Deletes elements of block b that the law does not keep; they get back the state that they had before the step. In
-/// its last step the forces at its start have done their half of the work, and those at its end do none.
-template <class E, class M, class T, class Removal>
+/// Deletes elements of block b that the law does not keep; they get back the state that they had before the step over
+/// dt. In its last step the forces at its start have done their half of the work, and those at its end do none:
+/// `end_work()` is their half.
+template <class E, class M, class T, class Removal, class EndWork>
 void erode(Elements<E, M, T, Removal>& elements, std::size_t b, const typename Elements<E, M, T, Removal>::State& state,
-           const Nodal<T, E::nodes>& x, const Nodal<T, motions<E>>& v, double dt, Response<T, motions<E>>& response,
-           Deletions& deletions) {
+           const Nodal<T, E::nodes>& x, double dt, Response<T, motions<E>>& response, Deletions& deletions,
+           const EndWork& end_work) {
   auto& block = elements.blocks[b];
   auto& removal = block.removal;
   if (!(dt > 0)) removal.initial_volume = response.volume;
@@ -123,7 +124,7 @@ void erode(Elements<E, M, T, Removal>& elements, std::size_t b, const typename E
     removal.energy += response.internal_work;
     return;
   }
-  const T last = response.internal_work - 0.5 * dt * response.force.cwiseProduct(v).sum();
+  const T last = response.internal_work - end_work();
   const T finite = select(abs(last) <= std::numeric_limits<RealOf<T>>::max(), last, T(0.0));
   zero_if_failed(stays, response);
   response.internal_work = select(stays, response.internal_work, select(there, finite, T(0.0)));
@@ -175,7 +176,8 @@ template <class E, class M, class T, class Removal, class Motion, class Volume, 
         return element.advance(state, material, x, Nodal<T, motions<E>>(v), dt);
     }();
     if constexpr (erodes)
-      erode(elements, b, state, x, Nodal<T, motions<E>>(v), dt, response, outcome.deletions);
+      erode(elements, b, state, x, dt, response, outcome.deletions,
+            [&] { return T(0.5 * dt * response.force.cwiseProduct(Nodal<T, motions<E>>(v)).sum()); });
     else if constexpr (state_is_small)
       block.state = state;
     if constexpr (Followed<typename All::State>) growth.add(state);

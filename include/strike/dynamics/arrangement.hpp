@@ -44,7 +44,7 @@ class Arranger {
     for (std::size_t e = 0; e < cells.size(); ++e)
       for (const Index node : cells[e])
         if (node >= nodes_.size()) refuse(part, e, node);
-    made_.cells.push_back(locality_order(nodes_, cells));
+    made_.cells.push_back(locality_order(nodes_, connectivity(cells)));
     for (const Index e : made_.cells.back())
       for (const Index node : cells[e]) name(node);
   }

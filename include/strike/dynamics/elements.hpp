@@ -76,7 +76,7 @@ struct Elements {
   static constexpr std::size_t n = static_cast<std::size_t>(E::nodes);
   static constexpr std::size_t width = lanes<T>;
   static constexpr bool erodes = !std::same_as<Removal, NoErosion>;
-  static constexpr bool has_geometry = needs_geometric_strain<Removal, M>();
+  static constexpr bool has_geometry = needs_geometric_strain<Removal, M, E::nodes>();
   static constexpr bool averages_volume = requires { requires E::averages_volume; };
   using State = typename E::template State<M, T>;
   /// Elements of such a part may give no force any more.
@@ -104,6 +104,14 @@ struct Elements {
     T ones = T(0.0);
     for (std::size_t l = 0; l < count(blocks.size() - 1); ++l) set_lane(ones, l, RealOf<T>(1));
     return ones;
+  }
+
+  /// The values of elements, by their numbers, in the lanes of block b.
+  T in_lanes(std::size_t b, const std::vector<double>& values) const {
+    T in_lanes = T(0.0);
+    for (std::size_t l = 0; l < width; ++l)
+      set_lane(in_lanes, l, static_cast<RealOf<T>>(values[order[std::min(b * width + l, size - 1)]]));
+    return in_lanes;
   }
 
   /// Error: there is no element of this number.

@@ -47,7 +47,7 @@ struct Erosion {
       else
         intact += T(1.0);
     });
-    if constexpr (needs_geometric_strain_of<M>)
+    if constexpr (has_geometry)
       if (std::isfinite(strain)) plastic_strain = points * element.geometric_strain();
     return intact > 0.0 && plastic_strain <= points * strain && element.volume > volume * element.initial_volume &&
            element.critical_rate * step <= 1.0;

@@ -54,7 +54,7 @@ constexpr Flaw flaw() {
     return Flaw::fibres;
   else if constexpr (!Material<M>)
     return Flaw::material_members;
-  else if constexpr (!Element<E, M>)
+  else if constexpr (!sees_neighbours<E>() && !Element<E, M>)
     return Flaw::element_members;
   else if constexpr (std::same_as<Removal, NoErosion> || RemovalLaw<Removal, E, M>)
     return Flaw::none;
@@ -63,6 +63,21 @@ constexpr Flaw flaw() {
   else
     return Flaw::removal;
 }
+
+/// The cells of elements with n nodes: those of one node are particles, which have volumes.
+template <std::size_t n>
+struct CellsWith {
+  using type = Cells<n>;
+};
+template <>
+struct CellsWith<1> {
+  using type = Particles;
+};
+template <class Cells>
+const Cells& connectivity(const Cells& cells) {
+  return cells;
+}
+inline const Cells<1>& connectivity(const Particles& particles) { return particles.cells; }
 
 template <class C>
 inline constexpr bool is_cells = false;
@@ -109,7 +124,7 @@ struct Part {
 
   E element;
   M material;
-  Cells<n> cells;
+  typename detail::CellsWith<n>::type cells;
   [[no_unique_address]] Removal removal{};
 
   void ranges(const auto& number) const { number(element), number(material), number(removal); }
@@ -118,6 +133,10 @@ template <class E, class M, std::size_t n>
 Part(E, M, std::vector<std::array<Index, n>>) -> Part<E, M, n>;
 template <class E, class M, std::size_t n, class Removal>
 Part(E, M, std::vector<std::array<Index, n>>, Removal) -> Part<E, M, n, Removal>;
+template <class E, class M>
+Part(E, M, Particles) -> Part<E, M, 1>;
+template <class E, class M, class Removal>
+Part(E, M, Particles, Removal) -> Part<E, M, 1, Removal>;
 
 /// Fallback for a part without cells in the third place: its static_assert is the one message.
 template <class E, class M, class... Pieces>

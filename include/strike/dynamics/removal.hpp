@@ -78,8 +78,9 @@ struct ReferenceAxes {
 };
 struct NoReferenceAxes {};
 
-template <class Law, class M>
+template <class Law, class M, int nodes = 0>
 constexpr bool needs_geometric_strain() {
+  if constexpr (nodes == 1) return false;  // a particle has no shape
   if constexpr (requires { Law::template needs_geometric_strain_of<M>; })
     return Law::template needs_geometric_strain_of<M>;
   else if constexpr (requires { Law::needs_geometric_strain; })
@@ -130,7 +131,7 @@ struct Keeps {
 /// The law may be asked: it answers an element and its condition with a comparison.
 template <class Law, class E, class M>
 concept RemovalLaw = requires(const Law law, const typename E::template State<M, double> state,
-                              const ElementCondition<E, M, double, needs_geometric_strain<Law, M>()> condition) {
+                              const ElementCondition<E, M, double, needs_geometric_strain<Law, M, E::nodes>()> condition) {
   { law.keeps(state, condition) } -> std::convertible_to<bool>;
 };
 

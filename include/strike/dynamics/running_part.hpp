@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <strike/dynamics/advance.hpp>
+#include <strike/dynamics/cloud.hpp>
 #include <strike/dynamics/elements.hpp>
 #include <strike/dynamics/mass_scaling.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
@@ -31,7 +32,8 @@ class RunningPart {
 
  public:
   static constexpr std::size_t n = Elements::n, width = Elements::width;
-  static constexpr bool erodes = Elements::erodes, averages_volume = Elements::averages_volume;
+  static constexpr bool erodes = Elements::erodes, averages_volume = Elements::averages_volume,
+                        sees_neighbours = strike::sees_neighbours<E>();
   using Element = E;
   using Number = T;
   using State = typename Elements::State;
@@ -44,10 +46,11 @@ class RunningPart {
                   std::move(order)} {
     detail::check_material(elements_.material, number);
     lay_out(part.cells, nodes);
+    if constexpr (sees_neighbours) cloud_ = detail::Cloud<T>(elements_, part.cells.volumes);
     outcomes_.resize(patches_.size());
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       patches_.load(patches_[p], nodes);
-      for (std::size_t b = patches_[p].first_block; b < patches_[p].last_block; ++b) begin(b, nodes);
+      for (std::size_t b = patches_[p].first_block; b < patches_[p].last_block; ++b) begin(b, nodes, part.cells);
     }
     if constexpr (averages_volume) {
       volume_ = Volume(nodes.places());
@@ -72,10 +75,22 @@ class RunningPart {
       sum_volumes(nodes, [&](std::size_t patches, const auto& f) { execution.for_each(patches, f); });
       volume_.update(patches_);
     }
+    if constexpr (sees_neighbours) {
+      cloud_.gather(elements_, nodes, execution);
+      execution.for_each(patches_.size(), [&](std::size_t p) {
+        patches_.load(patches_[p], nodes);
+        outcomes_[p] = cloud_.advance(elements_, patches_[p], schedule.dt(0));
+      });
+      cloud_.reflect_answers();
+    }
     execution.for_each(patches_.size(), [&](std::size_t p) {
-      if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
-      schedule.load(patches_, patches_[p]);
-      outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
+      if constexpr (sees_neighbours) {
+        cloud_.add_forces(elements_, patches_[p], nodes.motion(), schedule.dt(0), outcomes_[p]);
+      } else {
+        if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
+        schedule.load(patches_, patches_[p]);
+        outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
+      }
       patches_.store(patches_[p], nodes);
     });
     patches_.store_ghosts(nodes, execution);
@@ -191,12 +206,13 @@ class RunningPart {
       visit_numbers<T>(block.state, block.state, [&](auto numbers, auto) { archive(numbers); });
       if constexpr (erodes) archive(numbers_of<T>(block.removal));
     }
-    archive(volume_, newly_deleted_, deletions_);
+    archive(volume_, cloud_, newly_deleted_, deletions_);
   }
 
  private:
   /// Fills the blocks with the places of their nodes and cuts them into patches.
-  void lay_out(const Cells<n>& cells, Nodes& nodes) {
+  template <class Cells>
+  void lay_out(const Cells& cells, Nodes& nodes) {
     auto& blocks = elements_.blocks;
     blocks.resize((size() + width - 1) / width);
     std::vector<Index> corners;
@@ -212,10 +228,16 @@ class RunningPart {
   }
 
   /// Sets the elements of a block at rest and gives their masses to the nodes.
-  void begin(std::size_t b, Nodes& nodes) {
+  template <class Cells>
+  void begin(std::size_t b, Nodes& nodes, const Cells& cells) {
     Block& block = elements_.blocks[b];
     const Nodal<T, E::nodes> x = gather<T, n>(nodes.motion().position, block.nodes);
-    const auto given = element().begin(block.state, material(), x);
+    const auto given = [&] {
+      if constexpr (sees_neighbours)
+        return element().begin(block.state, material(), x, elements_.in_lanes(b, cells.volumes));
+      else
+        return (void)cells, element().begin(block.state, material(), x);
+    }();
     const T mass = mass_of(given);
     T own = mass;
     if constexpr (scales_mass) own = mass / block.state.mass_factor;
@@ -300,11 +322,10 @@ class RunningPart {
       return {};
   }
 
-  struct NoVolume {
+  struct Nothing {
     void serialize(auto&) {}
   };
-  using Volume =
-      std::conditional_t<averages_volume, detail::NodalVolume<LaneOf<T>, Elements::loses_elements>, NoVolume>;
+  using Volume = std::conditional_t<averages_volume, detail::NodalVolume<LaneOf<T>, Elements::loses_elements>, Nothing>;
   struct NothingScaled {};
 
   Elements elements_;
@@ -313,6 +334,7 @@ class RunningPart {
   std::vector<detail::Outcome> outcomes_;
   [[no_unique_address]] std::conditional_t<scales_mass, detail::ScaledMass, NothingScaled> scaled_;
   [[no_unique_address]] Volume volume_;
+  [[no_unique_address]] std::conditional_t<sees_neighbours, detail::Cloud<T>, Nothing> cloud_;
   [[no_unique_address]] detail::PlateProportions<E, M> proportions_;
   detail::Deletions newly_deleted_{}, deletions_{};
 };

@@ -237,9 +237,9 @@ class Subcycling::Running {
     double dt_;
   };
 
-  /// Nodes that have a pressure of their own need it from all their elements.
+  /// Nodes that have a pressure of their own need it from all their elements, and particles see each other.
   template <class Part>
-  static constexpr bool can_wait = !Part::averages_volume;
+  static constexpr bool can_wait = !Part::averages_volume && !Part::sees_neighbours;
 
   /// f(part, its pace).
   template <class Items, class F>

@@ -22,6 +22,14 @@ constexpr bool turns_nodes() {
   else
     return false;
 }
+/// Elements of a part see their neighbours, and the part knows how.
+template <class E>
+constexpr bool sees_neighbours() {
+  if constexpr (requires { E::sees_neighbours; })
+    return E::sees_neighbours;
+  else
+    return false;
+}
 /// The element gives way to a constant load for ever, for a part of its resistance is viscous.
 template <class E>
 constexpr bool flows() {

@@ -17,14 +17,27 @@ using Index = std::uint32_t;
 template <std::size_t N>
 using Cells = std::vector<std::array<Index, N>>;
 
+/// Particles: the node of each, a cell of one corner, and its volume at rest [length^3].
+struct Particles {
+  Cells<1> cells = {};
+  std::vector<double> volumes = {};
+
+  std::size_t size() const { return cells.size(); }
+  bool empty() const { return cells.empty(); }
+  const std::array<Index, 1>& operator[](std::size_t e) const { return cells[e]; }
+  auto begin() const { return cells.begin(); }
+  auto end() const { return cells.end(); }
+};
+
 /// Nodes and the elements between them. Corners of a hexahedron: 0-3 around the bottom, 4-7 above them, right-handed;
 /// of a tetrahedron: 3 above the counter-clockwise 0-1-2; of a quadrilateral: around it. Where all cells are counted
-/// together, hexahedra come first, then tetrahedra, then quadrilaterals.
+/// together, hexahedra come first, then tetrahedra, then quadrilaterals, then particles.
 struct Mesh {
   std::vector<Eigen::Vector3d> nodes;  ///< reference positions [length]
   Cells<8> hexahedra = {};
   Cells<4> tetrahedra = {};
   Cells<4> quadrilaterals = {};
+  Particles particles = {};
 };
 
 }  // namespace strike

@@ -1,0 +1,97 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/mesh/mesh.hpp>
+#include <strike/motion/execution.hpp>
+
+namespace strike::detail {
+
+/// A box with its faces along the axes.
+struct Box {
+  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+
+  void add(const Box& more) { low = low.min(more.low), high = high.max(more.high); }
+  void add(const Eigen::Vector3d& x) { low = low.min(x.array()), high = high.max(x.array()); }
+  /// The square of the gap between two boxes.
+  double squared_gap(const Box& other) const {
+    return (low - other.high).max(other.low - high).max(0.0).square().sum();
+  }
+};
+
+/// The points near each group of `width` points, in ascending order: found in a tree of boxes over the points as they
+/// lie in memory, neighbours together, eight to a box. Takes time proportional to the number of points and of those
+/// found; points that have mixed take longer, and none is missed.
+template <std::size_t width>
+class Neighbours {
+ public:
+  /// Finds for the groups of the first `count` points which of all lie within `reach` of one of the group.
+  template <class Execution>
+  void find(std::span<const Eigen::Vector3d> x, std::size_t count, double reach, const Execution& execution) {
+    build(x);
+    lists_.resize((count + width - 1) / width);
+    for_each_chunk(execution, lists_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t b = first; b < last; ++b) find(x, b, std::min((b + 1) * width, count), reach * reach);
+    });
+  }
+  const std::vector<Index>& of(std::size_t group) const { return lists_[group]; }
+
+ private:
+  static constexpr std::size_t arity = 8;
+
+  void build(std::span<const Eigen::Vector3d> x) {
+    levels_.resize(1);
+    levels_[0].assign((x.size() + arity - 1) / arity, Box{});
+    for (std::size_t j = 0; j < x.size(); ++j) levels_[0][j / arity].add(x[j]);
+    while (levels_.back().size() > 1) {
+      const std::vector<Box>& below = levels_.back();
+      std::vector<Box> level((below.size() + arity - 1) / arity);
+      for (std::size_t k = 0; k < below.size(); ++k) level[k / arity].add(below[k]);
+      levels_.push_back(std::move(level));
+    }
+  }
+  void find(std::span<const Eigen::Vector3d> x, std::size_t group, std::size_t last, double squared_reach) {
+    Box box;
+    Group points;
+    for (std::size_t l = 0; l < width; ++l) {
+      const Eigen::Vector3d& at = x[std::min(group * width + l, last - 1)];
+      box.add(at);
+      for (std::size_t c = 0; c < 3; ++c) points[c][l] = at(static_cast<Eigen::Index>(c));
+    }
+    lists_[group].clear();
+    visit(levels_.size() - 1, 0, 1, x, box, points, squared_reach, lists_[group]);
+  }
+  using Group = std::array<std::array<double, width>, 3>;
+
+  /// Boxes [first, last) of a level, in order.
+  void visit(std::size_t level, std::size_t first, std::size_t last, std::span<const Eigen::Vector3d> x, const Box& box,
+             const Group& points, double squared_reach, std::vector<Index>& found) const {
+    for (std::size_t k = first; k < last; ++k) {
+      if (!(box.squared_gap(levels_[level][k]) <= squared_reach)) continue;
+      if (level > 0) {
+        visit(level - 1, k * arity, std::min((k + 1) * arity, levels_[level - 1].size()), x, box, points, squared_reach,
+              found);
+        continue;
+      }
+      for (std::size_t j = k * arity; j < std::min((k + 1) * arity, x.size()); ++j) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t l = 0; l < width; ++l) {
+          const double dx = points[0][l] - x[j](0), dy = points[1][l] - x[j](1), dz = points[2][l] - x[j](2);
+          least = std::min(least, dx * dx + dy * dy + dz * dz);
+        }
+        if (least <= squared_reach) found.push_back(static_cast<Index>(j));
+      }
+    }
+  }
+
+  std::vector<std::vector<Box>> levels_;  // from the points up
+  std::vector<std::vector<Index>> lists_;
+};
+
+}  // namespace strike::detail
