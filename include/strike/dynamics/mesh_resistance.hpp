@@ -15,6 +15,93 @@
 
 namespace strike::detail {
 
+/// Chooses in block b and adds the masses there; failed elements have no rate and no part in the estimate. Returns how
+/// many it has chosen.
+template <class Part, class E, class T, class Nodes, class Masses>
+std::size_t choose_in_block(Part& part, EstimatedPart<E, T>& estimated, std::size_t b, double dt, Nodes& nodes,
+                            const std::vector<bool>& near, Masses& masses, double& rate_of_others) {
+  constexpr std::size_t n = Part::n;
+  const auto& corners = part.blocks()[b].nodes;
+  auto& state = part.blocks()[b].state;
+  const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
+  const auto is_near = [&](std::size_t l) {
+    return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) { return near[place(corner[l])]; });
+  };
+  T chosen = T(0.0);
+  for (std::size_t l = 0; l < lanes<T>; ++l)
+    if (is_near(l)) set_lane(chosen, l, RealOf<T>(1));
+  state.follow(chosen);
+  const auto is_chosen = state.followed.per_estimated > 0.0;
+  rate_of_others =
+      std::max(rate_of_others, static_cast<double>(reduce_max(select(is_chosen, T(0.0), state.followed.now))));
+  if (!any(is_chosen)) return 0;
+
+  auto& resistance = estimated.resistance[b];
+  const auto& motion = nodes.motion();
+  const Nodal<T, E::nodes> x = gather<T, n>(motion.position, corners);
+  if constexpr (turns_nodes<E>())
+    resistance = part.element().resistance(state, part.material(), x,
+                                           gather<T, n>(motion.velocity, motion.angular_velocity, corners), dt);
+  else
+    resistance = part.element().resistance(state, part.material(), x, gather<T, n>(motion.velocity, corners), dt);
+  std::size_t count = 0;
+  for (std::size_t l = 0; l < part.count(b); ++l)
+    if (lane(state.followed.per_estimated, l) > 0) {
+      ++count;
+      for (const auto& corner : corners) {
+        masses[0][place(corner[l])] += lane(resistance.mass, l);
+        if constexpr (turns_nodes<E>()) masses[1][place(corner[l])] += lane(resistance.inertia, l);
+      }
+    }
+  return count;
+}
+
+/// f(b) for the blocks of a patch with chosen elements.
+template <class Part, class F>
+void for_each_chosen(const Part& part, const Patch& patch, const F& f) {
+  for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
+    const auto is_chosen = part.blocks()[b].state.followed.per_estimated > 0.0;
+    if (any(is_chosen)) f(b, is_chosen);
+  }
+}
+
+/// Adds the volumes of chosen elements, and what the motion q changes of them, at their nodes.
+template <class Part, class E, class T, class Nodes, class Vector>
+[[gnu::flatten]] void add_chosen_volumes(const Part& part, EstimatedPart<E, T>& estimated, const Patch& patch,
+                                         Nodes& nodes, const std::vector<Vector>& q) {
+  constexpr std::size_t n = Part::n;
+  for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
+    const auto& corners = part.blocks()[b].nodes;
+    const auto V =
+        estimated.resistance[b].volume(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q, corners));
+    estimated.volume.template add<T, n>(select(is_chosen, V.change, T(0.0)), select(is_chosen, V.present, T(0.0)),
+                                        corners, part.count(b));
+  });
+}
+
+/// product -= A q of the chosen elements of a patch.
+template <class Part, class E, class T, class Nodes, class Fields>
+[[gnu::flatten]] void subtract_chosen(const Part& part, const EstimatedPart<E, T>& estimated, const Patch& patch,
+                                      Nodes& nodes, const Fields& q, Fields& product) {
+  constexpr std::size_t n = Part::n;
+  for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
+    const auto& corners = part.blocks()[b].nodes;
+    const auto& resistance = estimated.resistance[b];
+    const Nodal<T, E::nodes> x = gather<T, n>(nodes.motion().position, corners);
+    const Nodal<T, motions<E>> all = [&] {
+      if constexpr (turns_nodes<E>())
+        return resistance(x, gather<T, n>(q[0], q[1], corners));
+      else if constexpr (Part::averages_volume)
+        return resistance(x, gather<T, n>(q[0], corners), estimated.volume.template mean<T, n>(corners));
+      else
+        return resistance(x, gather<T, n>(q[0], corners));
+    }();
+    const Nodal<T, motions<E>> f = all.unaryExpr([&](const T& f_i) -> T { return select(is_chosen, f_i, T(0.0)); });
+    scatter_subtract<T, n>(f, product[0], corners, part.count(b));
+    if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(f, product[1], corners, part.count(b), n);
+  });
+}
+
 /// The resistance A(dt) = K dt^2/4 + C dt/2 of those elements of a run that are chosen for an estimate, and their own
 /// masses, so that the others are safe with theirs.
 template <class Nodes, class Items>
@@ -63,7 +150,7 @@ class MeshResistance {
       for (std::size_t p = 0; p < part.patches().size(); ++p) {
         const std::size_t before = chosen;
         for (std::size_t b = part.patches()[p].first_block; b < part.patches()[p].last_block; ++b)
-          chosen += choose(part, estimated, b, dt, nodes, near);
+          chosen += choose_in_block(part, estimated, b, dt, nodes, near, masses_, rate_of_others_);
         if (chosen > before) estimated.patches.push_back(p);
       }
       all += part.size();
@@ -86,101 +173,16 @@ class MeshResistance {
       });
       if constexpr (std::decay_t<decltype(part)>::averages_volume) {
         estimated.volume.clear();
-        for_each_patch([&](const Patch& patch) { add_volumes(part, estimated, patch, nodes, q[0]); });
+        for_each_patch([&](const Patch& patch) { add_chosen_volumes(part, estimated, patch, nodes, q[0]); });
         estimated.volume.update(part.patches());
       }
-      for_each_patch([&](const Patch& patch) { subtract_product(part, estimated, patch, nodes, q, product); });
+      for_each_patch([&](const Patch& patch) { subtract_chosen(part, estimated, patch, nodes, q, product); });
       for (const std::size_t p : estimated.patches)
         for (std::size_t kind = 0; kind < kinds; ++kind) part.patches().gather(part.patches()[p], product[kind]);
     });
   }
 
  private:
-  /// Chooses in block b; failed elements have no rate and no part in the estimate.
-  template <class Part, class E, class T>
-  std::size_t choose(Part& part, EstimatedPart<E, T>& estimated, std::size_t b, double dt, Nodes& nodes,
-                     const std::vector<bool>& near) {
-    constexpr std::size_t n = Part::n;
-    const auto& corners = part.blocks()[b].nodes;
-    auto& state = part.blocks()[b].state;
-    const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
-    const auto is_near = [&](std::size_t l) {
-      return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) { return near[place(corner[l])]; });
-    };
-    T chosen = T(0.0);
-    for (std::size_t l = 0; l < lanes<T>; ++l)
-      if (is_near(l)) set_lane(chosen, l, RealOf<T>(1));
-    state.follow(chosen);
-    const auto is_chosen = state.followed.per_estimated > 0.0;
-    rate_of_others_ =
-        std::max(rate_of_others_, static_cast<double>(reduce_max(select(is_chosen, T(0.0), state.followed.now))));
-    if (!any(is_chosen)) return 0;
-
-    auto& resistance = estimated.resistance[b];
-    const auto& motion = nodes.motion();
-    const Nodal<T, E::nodes> x = gather<T, n>(motion.position, corners);
-    if constexpr (turns_nodes<E>())
-      resistance = part.element().resistance(state, part.material(), x,
-                                             gather<T, n>(motion.velocity, motion.angular_velocity, corners), dt);
-    else
-      resistance = part.element().resistance(state, part.material(), x, gather<T, n>(motion.velocity, corners), dt);
-    std::size_t count = 0;
-    for (std::size_t l = 0; l < part.count(b); ++l)
-      if (lane(state.followed.per_estimated, l) > 0) {
-        ++count;
-        for (const auto& corner : corners) {
-          masses_[0][place(corner[l])] += lane(resistance.mass, l);
-          if constexpr (turns_nodes<E>()) masses_[1][place(corner[l])] += lane(resistance.inertia, l);
-        }
-      }
-    return count;
-  }
-
-  /// f(b) for the blocks of a patch with chosen elements.
-  template <class Part, class F>
-  static void for_each_chosen(const Part& part, const Patch& patch, const F& f) {
-    for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
-      const auto is_chosen = part.blocks()[b].state.followed.per_estimated > 0.0;
-      if (any(is_chosen)) f(b, is_chosen);
-    }
-  }
-
-  /// Adds the volumes of chosen elements, and what the motion q changes of them, at their nodes.
-  template <class Part, class E, class T>
-  [[gnu::flatten]] static void add_volumes(const Part& part, EstimatedPart<E, T>& estimated, const Patch& patch,
-                                           Nodes& nodes, const std::vector<Vector>& q) {
-    constexpr std::size_t n = Part::n;
-    for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
-      const auto& corners = part.blocks()[b].nodes;
-      const auto V =
-          estimated.resistance[b].volume(gather<T, n>(nodes.motion().position, corners), gather<T, n>(q, corners));
-      estimated.volume.template add<T, n>(select(is_chosen, V.change, T(0.0)), select(is_chosen, V.present, T(0.0)),
-                                          corners, part.count(b));
-    });
-  }
-
-  template <class Part, class E, class T>
-  [[gnu::flatten]] static void subtract_product(const Part& part, const EstimatedPart<E, T>& estimated,
-                                                const Patch& patch, Nodes& nodes, const Fields& q, Fields& product) {
-    constexpr std::size_t n = Part::n;
-    for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
-      const auto& corners = part.blocks()[b].nodes;
-      const auto& resistance = estimated.resistance[b];
-      const Nodal<T, E::nodes> x = gather<T, n>(nodes.motion().position, corners);
-      const Nodal<T, motions<E>> all = [&] {
-        if constexpr (turns_nodes<E>())
-          return resistance(x, gather<T, n>(q[0], q[1], corners));
-        else if constexpr (Part::averages_volume)
-          return resistance(x, gather<T, n>(q[0], corners), estimated.volume.template mean<T, n>(corners));
-        else
-          return resistance(x, gather<T, n>(q[0], corners));
-      }();
-      const Nodal<T, motions<E>> f = all.unaryExpr([&](const T& f_i) -> T { return select(is_chosen, f_i, T(0.0)); });
-      scatter_subtract<T, n>(f, product[0], corners, part.count(b));
-      if constexpr (turns_nodes<E>()) scatter_subtract<T, n>(f, product[1], corners, part.count(b), n);
-    });
-  }
-
   Masses masses_;
   double rate_of_others_ = 0;
 };
