@@ -10,6 +10,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/mixed_cells.hpp>
 #include <strike/mesh/order.hpp>
+#include <strike/mesh/particles.hpp>
 #include <strike/mesh/remaining.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/sheet.hpp>

@@ -47,6 +47,11 @@ TEST_CASE("conformance: wrong numbers of meshes are refused") {
   refuses(CanopyShape{.length = 80, .top = 50, .height = {5, 20, 15}, .half_width = {10, 20, 18}, .cells = {2, 3}},
           canopy);
 
+  // Of a body in particles; its cells and layers have no say.
+  refuses(BoxShape{.lower = {1, 2, 3}, .size = {1, 2, 3}, .cells = {1, 2, 3}}, particles);
+  testing::refuses_wrong_numbers(BirdShape{.mass = 1.8, .density = 950}, tried,
+                                 [](const auto& shape) { return is_sound(particles(shape, 4)); });
+
   const auto refuses_in = [&](const char* of, const std::vector<testing::Argument>& arguments, const auto& use) {
     testing::refuses_wrong_arguments(of, arguments, tried, use);
   };
@@ -64,6 +69,7 @@ TEST_CASE("conformance: wrong numbers of meshes are refused") {
              [](const Numbers& x) { return is_sound(merge_coincident_nodes(block, x[0])); });
   refuses_in("extruded", {{"levels", -1}, {"levels", 1}, {"levels", 3}},
              [](const Numbers& x) { return is_sound(extruded(square, x)); });
+  refuses_in("particles", {{"spacing", .25}}, [](const Numbers& x) { return is_sound(particles(block, x[0])); });
   refuses_in("nearest_node", {{"place", 1}}, [](const Numbers& x) {
     return nearest_node(block.nodes, {x[0], 0, 0}) == (x[0] > .5 ? 2 : 0);
   });

@@ -35,11 +35,12 @@ inline double quadrilateral_area(std::span<const Eigen::Vector3d> nodes, const s
   return area_vector(nodes, Face{cell, 0}).norm();
 }
 
-/// Volume of all hexahedra and tetrahedra of a mesh [length^3].
+/// Volume of all hexahedra, tetrahedra and particles of a mesh [length^3].
 inline double volume(const Mesh& mesh) {
   double sum = 0;
   for (const auto& cell : mesh.hexahedra) sum += hexahedron_volume(mesh.nodes, cell);
   for (const auto& cell : mesh.tetrahedra) sum += tetrahedron_volume(mesh.nodes, cell);
+  for (const double one : mesh.particles.volumes) sum += one;
   return sum;
 }
 

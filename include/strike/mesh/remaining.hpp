@@ -29,13 +29,17 @@ std::vector<Row> remaining(const std::vector<Row>& rows, const std::vector<bool>
 /// `orphan_nodes` have lost all their cells.
 inline Mesh remaining(Mesh mesh, const std::vector<bool>& alive) {
   std::size_t first = 0;
-  const auto keep = [&](auto& cells) {
-    const std::size_t last = std::min(first + cells.size(), alive.size());
-    cells = remaining(cells, std::vector<bool>(alive.begin() + static_cast<std::ptrdiff_t>(first),
-                                               alive.begin() + static_cast<std::ptrdiff_t>(last)));
+  const auto next = [&](std::size_t count) {
+    const std::size_t last = std::min(first + count, alive.size());
+    const std::vector<bool> flags(alive.begin() + static_cast<std::ptrdiff_t>(first),
+                                  alive.begin() + static_cast<std::ptrdiff_t>(last));
     first = last;
+    return flags;
   };
+  const auto keep = [&](auto& cells) { cells = remaining(cells, next(cells.size())); };
   keep(mesh.hexahedra), keep(mesh.tetrahedra), keep(mesh.quadrilaterals);
+  const std::vector<bool> left = next(mesh.particles.size());
+  mesh.particles = {remaining(mesh.particles.cells, left), remaining(mesh.particles.volumes, left)};
   return mesh;
 }
 

@@ -18,7 +18,8 @@
 
 namespace strike {
 
-/// The mesh with every node at `place(x)` [length]; the map must keep handedness, which `mirrored` does not.
+/// The mesh with every node at `place(x)` [length]; the map must keep handedness, which `mirrored` does not, and
+/// particles keep their volumes, which `scaled` changes.
 template <class Place>
 Mesh transformed(Mesh mesh, Place&& place) {
   for (Eigen::Vector3d& x : mesh.nodes) x = Eigen::Vector3d(place(std::as_const(x)));
@@ -48,6 +49,7 @@ inline Mesh rotated(Mesh mesh, const Eigen::Vector3d& axis, double angle) {
 /// The mesh stretched from the origin by a factor per axis. Error: a factor that is not positive.
 inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
   detail::RangeCheck("scaled", "")("factor", factor, range::positive, "`mirrored` reflects a mesh");
+  for (double& volume : mesh.particles.volumes) volume *= factor.prod();
   return transformed(std::move(mesh), [&](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(x[0] * factor[0], x[1] * factor[1], x[2] * factor[2]);
   });
@@ -81,6 +83,9 @@ inline Index append(Mesh& mesh, const Mesh& other) {
   add(mesh.hexahedra, other.hexahedra);
   add(mesh.tetrahedra, other.tetrahedra);
   add(mesh.quadrilaterals, other.quadrilaterals);
+  add(mesh.particles.cells, other.particles.cells);
+  const auto volumes = other.particles.volumes;
+  mesh.particles.volumes.insert(mesh.particles.volumes.end(), volumes.begin(), volumes.end());
   const auto nodes = other.nodes;
   mesh.nodes.insert(mesh.nodes.end(), nodes.begin(), nodes.end());
   return static_cast<Index>(offset);
@@ -97,6 +102,7 @@ inline Mesh renumbered(Mesh mesh, std::span<const Index> number, std::vector<Eig
   renumber(mesh.hexahedra);
   renumber(mesh.tetrahedra);
   renumber(mesh.quadrilaterals);
+  renumber(mesh.particles.cells);
   mesh.nodes = std::move(nodes);
   return mesh;
 }
@@ -163,6 +169,7 @@ inline std::vector<Index> orphan_nodes(const Mesh& mesh) {
   mark(mesh.hexahedra);
   mark(mesh.tetrahedra);
   mark(mesh.quadrilaterals);
+  mark(mesh.particles);
   std::vector<Index> orphans;
   for (Index node = 0; node < used.size(); ++node)
     if (!used[node]) orphans.push_back(node);
