@@ -7,7 +7,7 @@ using namespace strike;
 using testing::conforms;
 
 TEST_CASE("conformance: Hex8") { conforms(Hex8{}); }
-TEST_CASE("conformance: Hex8 with physical hourglass control") { conforms(Hex8{PhysicalHourglass{}}); }
+TEST_CASE("conformance: Hex8 with viscous hourglass control") { conforms(Hex8{ViscousHourglass{}}); }
 TEST_CASE("conformance: Hex8 with stiffness hourglass control, of Jaumann") {
   conforms(Hex8{StiffnessHourglass{}, Jaumann{}});
 }

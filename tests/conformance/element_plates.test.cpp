@@ -6,7 +6,6 @@ using namespace strike;
 using testing::conforms_as_plate;
 
 TEST_CASE("conformance: Plate4") { conforms_as_plate(Plate4{}); }
-TEST_CASE("conformance: Plate4 with rigid offsets") { conforms_as_plate(Plate4{PlateHourglass{}, RigidOffset{}}); }
 TEST_CASE("conformance: Plate4 that knows no warp and drills freely") {
   conforms_as_plate(Plate4{PlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}});
 }

@@ -165,9 +165,6 @@ TEST_CASE("Tet4: the step of a free mesh is safe with the pressure of its nodes"
 }
 
 TEST_CASE("the stable step of Plate4 is safe on 3990 random quadrilaterals") { plate_step_is_safe(Plate4{}); }
-TEST_CASE("the stable step of Plate4 with rigid offsets is safe") {
-  plate_step_is_safe(Plate4{PlateHourglass{}, RigidOffset{}});
-}
 TEST_CASE("the stable step of Plate4 that knows no warp and drills freely is safe") {
   plate_step_is_safe(Plate4{PlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}});
 }

@@ -127,7 +127,7 @@ TEST_CASE("D8: cubes that are shaken spin a hundred times with every hourglass c
   for (const double shaken : {1e-6, 1e-2}) {
     CAPTURE(shaken);
     CHECK(spins(Hex8{}, shaken) == Approx(1).epsilon(5e-3));
-    CHECK(spins(Hex8{PhysicalHourglass{}}, shaken) == Approx(1).epsilon(5e-3));
+    CHECK(spins(Hex8{ViscousHourglass{}}, shaken) == Approx(1).epsilon(5e-3));
     for (const double coefficient : {0.005, 0.05}) {
       CAPTURE(coefficient);
       CHECK(spins(Hex8{StiffnessHourglass{coefficient}}, shaken) == Approx(1).epsilon(5e-3));
