@@ -3,6 +3,7 @@
 //   bash examples/run bird_on_plate
 //   bash examples/run bird_on_plate speed=225 form=ellipsoid strength=high
 //   bash examples/run bird_on_plate cells=hexahedra strength=none mesh=4
+//   bash examples/run bird_on_plate cells=particles across=16
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,14 +36,14 @@ const Solid high_strength{water, flesh, FailureStrain{5}};
 /// The stagnation pressure, from the forces on the nodes of the plate about the axis, with weights that fall from 1
 /// there to 0 at `reach`.
 struct Gauge {
-  double reach;
+  double reach, plate = 0;  // plate: the height at which nodes, or the middles of particles, are on it
 
   template <class Run>
   double pressure(const Run& run) const {
     double force = 0;
     for (std::size_t i = 0; i < run.nodes().size(); ++i) {
       const Eigen::Vector3d x = run.nodes().x(i);
-      if (const double w = 1 - (x.x() * x.x() + x.y() * x.y()) / (reach * reach); w > 0 && x.z() < 1e-6 * reach)
+      if (const double w = 1 - (x.x() * x.x() + x.y() * x.y()) / (reach * reach); w > 0 && x.z() - plate < 1e-6 * reach)
         force -= w * run.nodes().f(i).z();
     }
     return force / (std::numbers::pi / 8 * reach * reach);  // of a quarter
@@ -118,6 +119,7 @@ void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vecto
   const Mesh left = remaining(mesh, alive);
   std::vector<Eigen::Vector3d> particles;
   for (const Index i : orphan_nodes(left)) particles.push_back(positions[i]);
+  for (const auto& [i] : left.particles) particles.push_back(positions[i]);
   Picture picture{{.title = "Bird on a rigid plate after " + examples::text(time) + " ms",
                    .quantity = "pressure",
                    .unit = "MPa",
@@ -126,27 +128,34 @@ void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vecto
                    .low = 0,
                    .high = 2e3 * stagnation_pressure(record.speed),
                    .length_unit = "mm"}};
-  picture.add(surface(left), positions, remaining(pressure, alive));
+  if (left.particles.empty()) picture.add(surface(left), positions, remaining(pressure, alive));
   picture.add_particles(particles);
   picture.write("bird.svg");
 }
 
-template <class E, class M, std::size_t n>
-void strike_plate(const E& element, const M& material, const Mesh& mesh, const Cells<n>& cells, Record& record) {
+/// `edge` is that of the smallest element; the plate is at the height of the gauge.
+template <class Part>
+void strike_plate(const Part& bird, const Mesh& mesh, double edge, Record& record) {
   const auto on = [&](Axis axis) { return nodes_where(mesh.nodes, on_plane(axis, 0)); };
-  const double edge = record.size.diameter / (4 * record.shape.cells), c = std::sqrt(water.C1 / density);
-  const Erosion erosion{.volume = 0.1, .step = 0.02 * edge / c};
+  const double c = std::sqrt(water.C1 / density);
   record.rear = nodes_where(mesh.nodes, [&](const auto& x) { return x.z() > 0.9 * record.size.length; });
-  Explicit run{Scene{mesh.nodes,                               //
-                     Part{element, material, cells, erosion},  //
-                     InitialVelocity{{0, 0, -record.speed}},   //
-                     Symmetry{Axis::x, on(Axis::x)},           //
-                     Symmetry{Axis::y, on(Axis::y)},           //
-                     RigidWall{{0, 0, 0}, {0, 0, 1}}},
+  Explicit run{Scene{mesh.nodes,                              //
+                     bird,                                    //
+                     InitialVelocity{{0, 0, -record.speed}},  //
+                     Symmetry{Axis::x, on(Axis::x)},          //
+                     Symmetry{Axis::y, on(Axis::y)},          //
+                     RigidWall{{0, 0, record.gauge.plate}, {0, 0, 1}}},
                ExplicitOptions{.largest_step = edge / c}};
-  record.elements = cells.size();
+  record.elements = bird.cells.size();
   const auto& part = run.template part<0>();
-  const auto pressure = [&] { return part.field([](const auto& s) { return (-1e3 / 3) * trace(s.stress); }); };
+  const auto pressure = [&] {
+    return part.field([](const auto& s) {
+      if constexpr (requires { s.stress; })
+        return (-1e3 / 3) * trace(s.stress);
+      else
+        return 1e3 * s.pressure;
+    });
+  };
   VtuSeries film{"bird"};
   int pictured = 0;
   const std::clock_t begin = std::clock();
@@ -162,7 +171,9 @@ void strike_plate(const E& element, const M& material, const Mesh& mesh, const C
               if (pictured++ == 1) draw(record, mesh, run.positions(), pressure(), part.alive(), run.time());
             }});
   record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  record.steps = run.steps(), record.deleted = part.deleted(), record.warnings = run.warnings();
+  record.steps = run.steps(), record.warnings = run.warnings();
+  const std::vector<bool> alive = part.alive();
+  record.deleted = static_cast<std::size_t>(std::count(alive.begin(), alive.end(), false));
   record.impulse = 4 * run.template item<4>().impulse().z();
 }
 
@@ -193,10 +204,11 @@ void report(const Record& r, const std::string& what) {
 int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     const std::string form = options.choice("form", {"cylinder", "hemispherical", "ellipsoid"}),
-                      cells = options.choice("cells", {"tetrahedra", "hexahedra"}),
+                      cells = options.choice("cells", {"tetrahedra", "hexahedra", "particles"}),
                       strength = options.choice("strength", {"low", "high", "none"});
     const double speed = options.number("speed", 180.0556);
-    const unsigned mesh = options.count("mesh", 3), layers = options.count("layers", 8 * mesh);
+    const unsigned mesh = options.count("mesh", 3), layers = options.count("layers", 8 * mesh),
+                   across = options.count("across", 12);
     const double share = options.number("share", 0.5), hourglass = options.number("hourglass", 0.1);
     options.check();
     const BirdShape shape{.mass = mass,
@@ -207,16 +219,31 @@ int main(int count, char** arguments) {
                           .cells = mesh,
                           .layers = layers};
     Record record{shape, speed};
-    const Mesh hexahedra = bird(shape);
+    const double edge = record.size.diameter / (4 * mesh);
+    const Erosion erosion{.volume = 0.1, .step = 0.02 * edge / std::sqrt(water.C1 / density)};
+    const auto of_particles = [&](const auto& material) {
+      const Mesh quarter = particles(shape, across);
+      const double spacing = std::cbrt(quarter.particles.volumes[0]);
+      const Particle particle{Smoothing{}, Mirrors{Mirror{unit(Axis::x)}, Mirror{unit(Axis::y)}}};
+      record.gauge.plate = quarter.nodes[0].z();  // half a spacing below the lowest, as balls touch
+      strike_plate(Part{particle, material, quarter.particles}, quarter, 4 * spacing, record);
+    };
     const auto of = [&](const auto& material) {
+      if (cells == "particles") return of_particles(material);
+      const Mesh hexahedra = bird(shape);
       if (cells == "hexahedra")
-        return strike_plate(Hex8{ViscousHourglass{hourglass}}, material, hexahedra, hexahedra.hexahedra, record);
+        return strike_plate(Part{Hex8{ViscousHourglass{hourglass}}, material, hexahedra.hexahedra, erosion}, hexahedra,
+                            edge, record);
       const Mesh tetrahedra = tetrahedralized(hexahedra);
-      strike_plate(Tet4{NodalPressure{share}}, material, tetrahedra, tetrahedra.tetrahedra, record);
+      strike_plate(Part{Tet4{NodalPressure{share}}, material, tetrahedra.tetrahedra, erosion}, tetrahedra, edge,
+                   record);
     };
     if (strength == "low") of(low_strength);
     if (strength == "high") of(high_strength);
-    if (strength == "none") of(no_strength);
+    if (strength == "none" && cells == "particles")
+      of_particles(Fluid{water});
+    else if (strength == "none")
+      of(no_strength);
     report(record, cells + ", " + form + ", " + strength + " strength");
   });
 }

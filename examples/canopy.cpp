@@ -1,8 +1,10 @@
 // A bird of 4 lb at 350 knots strikes the crown of a bubble canopy of polycarbonate half an inch thick, like the sample
-// analysis of Brockman and Held (1991), figures 2, 14 and 15: 928 plates and the bird in tetrahedra.
+// analysis of Brockman and Held (1991), figures 2, 14 and 15: 928 plates and the bird in tetrahedra, or in particles.
 //
 //   bash examples/run canopy
 //   bash examples/run canopy bird=high
+//   bash examples/run canopy bird=particles across=12
+//   bash examples/run canopy bird=particles strength=high
 //   bash examples/run canopy speed=400 end=10
 #include <cstdio>
 #include <string>
@@ -51,8 +53,8 @@ examples::Transparency bubble() {
 
 void report(const examples::Transparency& canopy, const examples::Flight& flight, const std::string& bird,
             double speed) {
-  std::printf("\nCanopy, %zu plates, %s-strength bird at %.0f knots\n\n", canopy.mesh.quadrilaterals.size(),
-              bird.c_str(), speed);
+  std::printf("\nCanopy, %zu plates, %s at %.0f knots\n\n", canopy.mesh.quadrilaterals.size(),
+              examples::name_of(bird).c_str(), speed);
   for (const std::string& warning : flight.warnings) std::printf("%s\n", warning.c_str());
   Results results;
   for (std::size_t k = 0; k < canopy.watched.size(); ++k)
@@ -63,7 +65,7 @@ void report(const examples::Transparency& canopy, const examples::Flight& flight
   results.print();
   results.write("results.csv");
 
-  Chart chart{{.title = "Crown of the canopy, " + bird + "-strength bird",
+  Chart chart{{.title = "Crown of the canopy, " + examples::name_of(bird),
                .x = {.label = "time", .unit = "ms"},
                .y = {.label = "displacement", .unit = "in"}}};
   for (std::size_t k = 0; k < canopy.watched.size(); ++k)
@@ -77,17 +79,32 @@ void report(const examples::Transparency& canopy, const examples::Flight& flight
 
 int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
-    const std::string bird = options.choice("bird", {"low", "high"});
+    const std::string bird = options.choice("bird", {"low", "high", "particles"}),
+                      strength = options.choice("strength", {"none", "low", "high"});
     const double speed = options.number("speed", 350), end = options.number("end", 20);
+    const unsigned across = options.count("across", 8);
     options.check();
 
     const examples::Transparency canopy = bubble();
     const Homogeneous section{polycarbonate, thickness, Simpson<5>{}};
-    const auto fly = [&](const auto& flesh) {
-      return examples::strike_at(canopy, section, flesh, speed * examples::knot, 1e-3 * end, bird,
-                                 "Canopy, " + bird + "-strength bird", {2, 5, 10, 20});
+    const auto fly = [&](const Mesh& upright, const auto& part_of) {
+      report(canopy,
+             examples::strike_at(canopy, section, upright, part_of, speed * examples::knot, 1e-3 * end, bird,
+                                 "Canopy, " + examples::name_of(bird), {2, 5, 10, 20}),
+             bird, speed);
     };
-    report(canopy, bird == "low" ? fly(examples::Bird::low_strength()) : fly(examples::Bird::high_strength()), bird,
-           speed);
+    const auto tetrahedra = [&](const auto& flesh) {
+      fly(examples::Bird::tetrahedra(), [&](const Mesh& mesh) { return examples::part_of_tetrahedra(flesh, mesh); });
+    };
+    const auto particles = [&](const auto& flesh) {
+      fly(examples::Bird::particles(across),
+          [&](const Mesh& mesh) { return examples::part_of_particles(flesh, mesh); });
+    };
+    if (bird == "low") tetrahedra(examples::Bird::low_strength());
+    if (bird == "high") tetrahedra(examples::Bird::high_strength());
+    if (bird != "particles") return;
+    if (strength == "none") particles(examples::Bird::tensionless());
+    if (strength == "low") particles(examples::Bird::low_strength_flowing());
+    if (strength == "high") particles(examples::Bird::high_strength());
   });
 }

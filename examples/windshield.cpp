@@ -4,6 +4,7 @@
 //
 //   bash examples/run windshield
 //   bash examples/run windshield bird=high
+//   bash examples/run windshield bird=particles across=12
 //   bash examples/run windshield speed=350 end=10
 #include <cmath>
 #include <cstdio>
@@ -76,7 +77,7 @@ examples::Transparency pane() {
 }
 
 void report(const std::vector<std::pair<std::string, examples::Flight>>& flights, const std::string& bird) {
-  std::printf("\nWindshield, %s-strength bird\n\n", bird.c_str());
+  std::printf("\nWindshield, %s\n\n", examples::name_of(bird).c_str());
   Results results;
   Chart chart{{.title = "Middle of the windshield",
                .x = {.label = "time", .unit = "ms"},
@@ -104,26 +105,31 @@ void report(const std::vector<std::pair<std::string, examples::Flight>>& flights
 
 int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
-    const std::string bird = options.choice("bird", {"low", "high"});
+    const std::string bird = options.choice("bird", {"low", "high", "particles"});
     const double speed = options.number("speed", 400), end = options.number("end", 20);
+    const unsigned across = options.count("across", 8);
     options.check();
 
     const examples::Transparency windshield = pane();
     std::vector<std::pair<std::string, examples::Flight>> flights;
-    const auto fly = [&](const std::string& model, const auto& section, const auto& flesh) {
-      flights.push_back({model, examples::strike_at(windshield, section, flesh, speed * examples::knot, 1e-3 * end,
-                                                    model, "Windshield, " + model, {1, 2, 5})});
-    };
-    const auto all = [&](const auto& flesh) {
+    const auto all = [&](const Mesh& upright, const auto& part_of) {
+      const auto fly = [&](const std::string& model, const auto& section) {
+        flights.push_back({model, examples::strike_at(windshield, section, upright, part_of, speed * examples::knot,
+                                                      1e-3 * end, model, "Windshield, " + model, {1, 2, 5})});
+      };
       const auto layered = laminate(EffectiveShear{.length = length / 2});
-      fly("layered", layered, flesh);
-      fly("plain_shear", laminate(FiveSixthsShear{}), flesh);
-      fly("monolithic", Homogeneous{polycarbonate, layered.density() / density_of(polycarbonate)}, flesh);
+      fly("layered", layered);
+      fly("plain_shear", laminate(FiveSixthsShear{}));
+      fly("monolithic", Homogeneous{polycarbonate, layered.density() / density_of(polycarbonate)});
     };
-    if (bird == "low")
-      all(examples::Bird::low_strength());
-    else
-      all(examples::Bird::high_strength());
+    const auto tetrahedra = [&](const auto& flesh) {
+      all(examples::Bird::tetrahedra(), [&](const Mesh& mesh) { return examples::part_of_tetrahedra(flesh, mesh); });
+    };
+    if (bird == "low") tetrahedra(examples::Bird::low_strength());
+    if (bird == "high") tetrahedra(examples::Bird::high_strength());
+    if (bird == "particles")
+      all(examples::Bird::particles(across),
+          [](const Mesh& mesh) { return examples::part_of_particles(examples::Bird::tensionless(), mesh); });
     report(flights, bird);
   });
 }

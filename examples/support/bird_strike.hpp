@@ -33,18 +33,47 @@ struct Bird {
       .density = 950 * per_kg_m3, .C1 = 2.06 * psi_per_GPa, .C2 = 6.19 * psi_per_GPa, .C3 = 10.3 * psi_per_GPa};
   static constexpr strike::VonMises flesh{.shear_modulus = 2.06e-3 * psi_per_GPa, .yield_stress = 2e-5 * psi_per_GPa};
 
+  /// Flows, and takes no tension.
+  static auto tensionless() {
+    strike::CubicEos eos = water;
+    eos.pressure_cutoff = 0;
+    return strike::Fluid{eos};
+  }
   /// Fails as soon as it yields; the nodes of its deleted elements strike one by one.
   static auto low_strength() { return strike::Solid{water, flesh, strike::UltimateStress{0.999 * flesh.yield_stress}}; }
+  /// Becomes a fluid as soon as it yields: what low strength means for particles, which do not lose their pressure.
+  static auto low_strength_flowing() {
+    return strike::Solid{water, flesh, strike::BecomesFluid{strike::UltimateStress{0.999 * flesh.yield_stress}}};
+  }
   /// Flows up to a plastic strain of 5.
   static auto high_strength() { return strike::Solid{water, flesh, strike::FailureStrain{5}}; }
 
-  /// Its 1008 tetrahedra, with the axis along x and the middle of its face at a place.
-  static strike::Mesh mesh(const Eigen::Vector3d& face) {
-    const strike::Mesh upright = strike::tetrahedralized(
-        strike::bird({.mass = mass, .density = density, .cells = 1, .layers = 14, .sector = strike::Sector::full}));
+  static constexpr strike::BirdShape shape{
+      .mass = mass, .density = density, .cells = 1, .layers = 14, .sector = strike::Sector::full};
+  /// Its 1008 tetrahedra, upright on z = 0.
+  static strike::Mesh tetrahedra() { return strike::tetrahedralized(strike::bird(shape)); }
+  /// As many particles across its diameter: 832 of 8.
+  static strike::Mesh particles(strike::Index across) { return strike::particles(shape, across); }
+  /// With the axis along x and the middle of its face at a place.
+  static strike::Mesh placed(const strike::Mesh& upright, const Eigen::Vector3d& face) {
     return strike::translated(strike::rotated(upright, {0, 1, 0}, -std::numbers::pi / 2), face);
   }
 };
+
+/// The part of a bird in tetrahedra, whose nodes strike, and of one in particles, balls of half their spacing.
+template <class Material>
+auto part_of_tetrahedra(const Material& flesh, const strike::Mesh& mesh) {
+  return strike::Part{strike::Tet4{}, flesh, mesh.tetrahedra, strike::Erosion{.step = 2e-7}};
+}
+template <class Material>
+auto part_of_particles(const Material& flesh, const strike::Mesh& mesh) {
+  return strike::Part{strike::Particle{}, flesh, mesh.particles};
+}
+
+/// "low-strength bird" or "bird in particles".
+inline std::string name_of(const std::string& bird) {
+  return bird == "particles" ? "bird in particles" : bird + "-strength bird";
+}
 
 /// The target: plates, their clamped nodes, their thickness, and nodes whose motion is recorded.
 struct Transparency {
@@ -58,8 +87,10 @@ struct Transparency {
 struct Encounter {
   strike::Mesh mesh;
   std::vector<strike::Index> bird;
+  double spacing = 0;  ///< of particles
 
   Encounter(const Transparency& target, strike::Mesh body) : mesh(target.mesh) {
+    if (!body.particles.empty()) spacing = std::cbrt(body.particles.volumes[0]);
     // Along x only the faces in front of a node matter: those whose shadow in the y, z plane holds it.
     double way = std::numeric_limits<double>::infinity();
     for (const auto& cell : target.mesh.quadrilaterals)
@@ -70,8 +101,8 @@ struct Encounter {
   }
 
  private:
-  /// Distance along x from a point to a triangle of the cell, less half a thickness.
-  static double way_to(const Transparency& target, const std::array<strike::Index, 4>& cell, const Eigen::Vector3d& x) {
+  /// Distance along x from a point to a triangle of the cell, less half a thickness and a radius.
+  double way_to(const Transparency& target, const std::array<strike::Index, 4>& cell, const Eigen::Vector3d& x) const {
     double way = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
       const auto corner = [&](int i) -> const Eigen::Vector3d& {
@@ -85,7 +116,7 @@ struct Encounter {
       const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), qu = q.dot(u), qv = q.dot(v), det = uu * vv - uv * uv;
       const double r = (vv * qu - uv * qv) / det, s = (uu * qv - uv * qu) / det;
       if (r < -0.1 || s < -0.1 || r + s > 1.1) continue;
-      way = std::min(way, t - 0.5 * target.thickness / std::abs(n.x()));
+      way = std::min(way, t - 0.5 * (target.thickness + spacing) / std::abs(n.x()));
     }
     return way;
   }
@@ -131,20 +162,21 @@ inline std::size_t passed(const strike::Mesh& plates, const std::vector<Eigen::V
   return behind;
 }
 
-/// Runs until `end` [s]; writes `name`.csv, `name`.pvd and a picture at each of the times `seen` [ms].
-template <class Section, class Material>
-Flight strike_at(const Transparency& target, const Section& section, const Material& flesh, double speed, double end,
-                 const std::string& name, const std::string& title, const std::vector<double>& seen) {
+/// Runs until `end` [s] with the bird of a mesh, of which `part_of` makes the part; writes `name`.csv, `name`.pvd and a
+/// picture at each of the times `seen` [ms].
+template <class Section, class PartOf>
+Flight strike_at(const Transparency& target, const Section& section, const strike::Mesh& upright, const PartOf& part_of,
+                 double speed, double end, const std::string& name, const std::string& title,
+                 const std::vector<double>& seen) {
   using namespace strike;
-  const Encounter both(target, Bird::mesh(target.mesh.nodes[target.watched.front().second]));
+  const Encounter both(target, Bird::placed(upright, target.mesh.nodes[target.watched.front().second]));
   const Mesh& mesh = both.mesh;
   const double h = target.thickness;
 
-  Explicit run{
-      Scene{mesh.nodes,                                                                                              //
-            Part{Plate4{}, section, mesh.quadrilaterals},                                                            //
-            Part{Tet4{}, flesh, mesh.tetrahedra, Erosion{.step = 2e-7}}, InitialVelocity{{speed, 0, 0}, both.bird},  //
-            Clamped{target.edge}, Contact{NodeToSurface{both.bird, plate_surface(mesh.quadrilaterals, h, 0)}}}};
+  Explicit run{Scene{mesh.nodes,                                    //
+                     Part{Plate4{}, section, mesh.quadrilaterals},  //
+                     part_of(mesh), InitialVelocity{{speed, 0, 0}, both.bird}, Clamped{target.edge},
+                     Contact{NodeToSurface{both.bird, plate_surface(mesh.quadrilaterals, h, 0), both.spacing}}}};
   const auto& panel = run.template part<0>();
   const auto& bird = run.template item<1>();
   const auto& contact = run.template item<4>();
@@ -176,6 +208,11 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
     row.insert(row.end(), {e.kinetic, e.internal, e.contact, e.eroded, contact.force().norm()});
     history.row(row);
   };
+  const auto what_is_left = [&] {
+    Mesh left = mesh;
+    if (!mesh.tetrahedra.empty()) left.tetrahedra = remaining(mesh.tetrahedra, bird.alive());
+    return left;
+  };
   const auto draw = [&](double time) {
     Picture picture{{.title = title + " at " + examples::text(time) + " ms",
                      .quantity = "plastic strain, mean over the thickness",
@@ -183,12 +220,11 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
                      .length_unit = "in"}};
     const std::vector<Eigen::Vector3d> x = run.positions();
     picture.add(quadrilateral_surface(mesh.quadrilaterals), x, panel.field(PlasticStrain{}), Sides::both);
-    const Mesh left{.nodes = mesh.nodes,
-                    .tetrahedra = remaining(mesh.tetrahedra, bird.alive()),
-                    .quadrilaterals = mesh.quadrilaterals};
+    const Mesh left = what_is_left();
     if (!left.tetrahedra.empty()) picture.add(tetrahedron_surface(left.tetrahedra), x);
-    std::vector<Eigen::Vector3d> particles;
+    std::vector<Eigen::Vector3d> particles;  // and nodes of what has been deleted
     for (const Index i : orphan_nodes(left)) particles.push_back(x[i]);
+    for (const auto& [i] : mesh.particles) particles.push_back(x[i]);
     picture.add_particles(particles);
     picture.write(name + "_" + examples::text(time) + "ms.svg");
   };
@@ -208,13 +244,12 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
       Every{end / 40, [&] {
               flight.passed += passed(target.mesh, run.positions(), both.bird);
               const std::vector<bool> alive = bird.alive();
-              Mesh left = mesh;
-              left.tetrahedra = remaining(mesh.tetrahedra, alive);
               std::vector<Field> fields;
               const auto add = [&](const std::string& quantity, const std::vector<double>& of_bird,
                                    const std::vector<double>& of_plates) {
-                std::vector<double> values = remaining(of_bird, alive);  // tetrahedra stand before quadrilaterals
-                values.insert(values.end(), of_plates.begin(), of_plates.end());
+                std::vector<double> values = remaining(of_bird, alive);
+                const bool first = mesh.particles.empty();  // tetrahedra stand before quadrilaterals, particles behind
+                values.insert(first ? values.end() : values.begin(), of_plates.begin(), of_plates.end());
                 fields.push_back({quantity, values});
               };
               add("plastic strain", bird.field(PlasticStrain{}), panel.field(PlasticStrain{}));
@@ -223,7 +258,7 @@ Flight strike_at(const Transparency& target, const Section& section, const Mater
                 add("plastic strain, layer " + std::to_string(k), none, panel.field(k, PlasticStrain{}));
                 add("failed, layer " + std::to_string(k), none, panel.field(k, Failed{}));
               }
-              film.write(run.time(), left, run.positions(), {}, fields);
+              film.write(run.time(), what_is_left(), run.positions(), {}, fields);
             }});
   flight.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   flight.steps = run.steps(), flight.warnings = run.warnings();

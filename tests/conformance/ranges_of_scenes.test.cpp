@@ -16,6 +16,7 @@
 #include <strike/dynamics/subcycling.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/element/mass_scaled.hpp>
+#include <strike/element/particle.hpp>
 #include <strike/load.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/mesh.hpp>
@@ -115,6 +116,16 @@ TEST_CASE("conformance: wrong numbers of loads and supports are refused") {
                                      return std::isfinite(Curve{{{x[0], x[1]}, {x[2], x[3]}}}(2));
                                    });
   tried.print("loads and supports");
+}
+
+TEST_CASE("conformance: wrong numbers of particles are refused") {
+  testing::WrongNumbers tried;
+  const Mesh balls = particles(BoxShape{.size = {3, 3, 3}, .cells = {3, 3, 3}});
+  testing::refuses_wrong_numbers(Particle{Smoothing{}, Mirrors{Mirror{{1, 0, 0}}}}, tried, [&](const auto& particle) {
+    return goes_on(Explicit{Scene{balls.nodes, Part{particle, rubber, balls.particles}, InitialVelocity{up, {1, 2}}},
+                            coarse, in<double>});
+  });
+  tried.print("particles");
 }
 
 TEST_CASE("conformance: wrong numbers of contacts are refused") {

@@ -25,7 +25,7 @@ struct Cloud {
   Particle<> element{};
   std::vector<double> volume = std::vector<double>(x.size(), 1.0);
 
-  Wendland kernel() const { return {element.smoothing.length}; }
+  detail::Wendland kernel() const { return {element.smoothing.length}; }
   ParticleSums<double> sums(std::size_t i, const std::vector<Eigen::Vector3d>& v) const {
     ParticleSums<double> sums;
     for (std::size_t j = 0; j < x.size(); ++j) {

@@ -165,7 +165,7 @@ class SurfaceMeeting {
 struct NodeToSurface {
   std::vector<Index> nodes;
   Surface surface;
-  double thickness = 0;  ///< of the plate that the nodes belong to, if any [length]
+  double thickness = 0;  ///< of the plate that the nodes belong to, of particles their spacing [length]
 
   void ranges(const auto& number) const {
     number("thickness", thickness, range::not_negative);
@@ -222,20 +222,34 @@ struct SelfContact {
 };
 
 /// The pairing of all parts of the scene with each other and each with itself: the outside of solids and the faces that
-/// deletions expose, plates at half their thickness from where their Offset puts them. Plates within a thickness of a
-/// node at the start are its neighbourhood, as in SelfContact.
+/// deletions expose, plates at half their thickness from where their Offset puts them, and particles, balls of half
+/// their spacing, with all that are no particles. Plates within a thickness of a node at the start are its
+/// neighbourhood, as in SelfContact.
 struct Everything {
   /// Pairs of parts, by their places, that do not touch each other; a part with itself: it does not fold.
   std::vector<std::array<std::size_t, 2>> except{};
   std::optional<Surface> surface{};  ///< of all parts, found when a run begins
 
-  void see(std::span<const PartFaces> parts) { surface = surface_of(parts); }
-  std::vector<Index> numbers() const { return surface ? surface->nodes() : std::vector<Index>{}; }
+  std::vector<std::pair<std::vector<Index>, double>> particles{};  ///< the nodes of such parts, and their spacing
+
+  void see(std::span<const PartFaces> parts) {
+    surface = surface_of(parts);
+    particles.clear();
+    for (const PartFaces& part : parts)
+      if (!part.particles.empty()) particles.push_back({part.particles, part.thickness});
+  }
+  std::vector<Index> numbers() const {
+    std::vector<Index> all = surface ? surface->nodes() : std::vector<Index>{};
+    for (const auto& [nodes, spacing] : particles) all = detail::ascending(std::move(all), nodes);
+    return all;
+  }
   std::vector<Index> first() const { return numbers(); }
   detail::SurfaceMeeting<true> start(const ContactNodes& all) const {
     if (!surface)
       throw Error("strike: Contact{Everything{}} finds no part that is made of hexahedra, tetrahedra or plates.");
-    return SelfContact{*surface}.start(all);
+    auto meeting = SelfContact{*surface}.start(all);
+    for (const auto& [nodes, spacing] : particles) meeting.add(detail::ascending(nodes), spacing, 0, all);
+    return meeting;
   }
 
  private:
@@ -263,6 +277,9 @@ struct Everything {
           throw Error(detail::joined({"strike: Everything excepts part ", std::to_string(named), ", but the scene has ",
                                       std::to_string(parts.size()), parts.size() == 1 ? " part" : " parts",
                                       "; count its parts from 0."}));
+        else if (!parts[named].particles.empty())
+          throw Error(detail::joined({"strike: Everything excepts part ", std::to_string(named),
+                                      ", which is of particles; write the pairs of this scene one by one."}));
       if (piece[p] != detail::Target::none && piece[q] != detail::Target::none) all.keep_apart(piece[p], piece[q]);
     }
     return all;
@@ -275,7 +292,7 @@ template <class Body>
 struct NodeToRigid {
   std::vector<Index> nodes;
   Body body;
-  double thickness = 0;  ///< of the plate that the nodes belong to [length]
+  double thickness = 0;  ///< of the plate that the nodes belong to, of particles their spacing [length]
 
   void ranges(const auto& number) const {
     number("thickness", thickness, range::not_negative);

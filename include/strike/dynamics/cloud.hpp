@@ -38,6 +38,8 @@ class Cloud {
       planes_.push_back({plane.normal.normalized(), plane.point});
     at_.resize(count_);
   }
+  double spacing() const { return spacing_; }
+
   /// Gathers the motion of the particles and their images; finds their neighbours anew once they have moved too far.
   template <class All, class Nodes, class Execution>
   void gather(const All& elements, const Nodes& nodes, const Execution& execution) {

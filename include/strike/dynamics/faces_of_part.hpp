@@ -23,6 +23,10 @@ PartFaces faces_of(const Part& part, const Nodes& nodes) {
       append_faces(known.faces, part.cells(nodes), tetrahedron_faces, 0);
     }
   }
+  if constexpr (Part::sees_neighbours) {
+    known.thickness = part.spacing();
+    for (const auto& [node] : part.cells(nodes)) known.particles.push_back(node);
+  }
   if constexpr (Part::n == 8 || Part::n == 4) {
     if constexpr (requires { double{moduli_at_rest(part.material()).wave()}; })
       known.wave_modulus = moduli_at_rest(part.material()).wave();

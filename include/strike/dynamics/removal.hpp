@@ -130,10 +130,11 @@ struct Keeps {
 
 /// The law may be asked: it answers an element and its condition with a comparison.
 template <class Law, class E, class M>
-concept RemovalLaw = requires(const Law law, const typename E::template State<M, double> state,
-                              const ElementCondition<E, M, double, needs_geometric_strain<Law, M, E::nodes>()> condition) {
-  { law.keeps(state, condition) } -> std::convertible_to<bool>;
-};
+concept RemovalLaw =
+    requires(const Law law, const typename E::template State<M, double> state,
+             const ElementCondition<E, M, double, needs_geometric_strain<Law, M, E::nodes>()> condition) {
+      { law.keeps(state, condition) } -> std::convertible_to<bool>;
+    };
 
 /// The memory of a block of elements that may be deleted, beside their state.
 template <class T, bool has_geometry>

@@ -117,6 +117,12 @@ class RunningPart {
   {
     return scaled_.added();
   }
+  /// Spacing of its particles, the edge of a cube of the volume of the largest [length].
+  double spacing() const
+    requires sees_neighbours
+  {
+    return cloud_.spacing();
+  }
   /// Number of deleted elements.
   std::size_t deleted() const {
     static_assert(

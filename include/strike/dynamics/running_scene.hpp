@@ -120,6 +120,10 @@ class RunningScene {
       if constexpr (requires { item.warning(); })
         if (std::string warning = item.warning(); !warning.empty()) all.push_back(std::move(warning));
     });
+    std::size_t clouds = 0;
+    each_part([&](const auto& part) { clouds += std::remove_cvref_t<decltype(part)>::sees_neighbours; });
+    if (clouds > 1)
+      all.push_back("Particles of different parts do not touch each other; those that shall meet belong in one part.");
     for (std::string& sentence : stretch_warnings()) all.push_back(std::move(sentence));
     return all;
   }

@@ -55,6 +55,19 @@ struct MassScaled : E {
     return resistance;
   }
 };
+/// Fallback for particles: its static_assert reports them.
+template <class E>
+  requires(sees_neighbours<E>())
+struct MassScaled<E> {
+  static_assert(
+      sizeof(E) == 0,
+      "strike: MassScaled takes elements with a shape: particles of a part have one spacing, and so one step.");
+  static constexpr bool sound = false;
+  using Kinematics = typename E::Kinematics;
+  static constexpr int nodes = E::nodes;
+  E element;
+  double step;
+};
 template <class E>
 MassScaled(E, double) -> MassScaled<E>;
 

@@ -39,7 +39,7 @@ struct Mirror {
 
   void ranges(const auto& number) const {
     number("normal", normal, range::direction);
-    for (int c = 0; c < 3; ++c) number("point", point(c), range::finite);
+    number("point", point, range::point);
   }
 };
 
@@ -67,6 +67,8 @@ class Mirrors {
   std::vector<Mirror> planes_;
 };
 
+namespace detail {
+
 /// The function of Wendland (1995), C2, about a particle, W = 21/(16 pi h^3) (1 - r/2h)^4 (1 + 2 r/h), within r < 2h.
 struct Wendland {
   double h;  ///< smoothing length
@@ -80,6 +82,8 @@ struct Wendland {
     return w * w * w;
   }
 };
+
+}  // namespace detail
 
 /// Sums of a particle over its neighbours j, of reference volume V_j, at d = x_j - x:
 /// G = g d.
@@ -208,8 +212,8 @@ struct Particle {
   /// Advances the material over the step dt that ended at the places and velocities of these sums; the forces follow
   /// when the neighbours have answered. A wave crosses the particle where it crosses a spacing.
   template <class M, class T>
-  ParticleStep<T> advance(State<M, T>& state, const M& material, const ParticleSums<T>& sums, const Wendland& kernel,
-                          double dt) const {
+  ParticleStep<T> advance(State<M, T>& state, const M& material, const ParticleSums<T>& sums,
+                          const detail::Wendland& kernel, double dt) const {
     const T J_before = state.relative_volume, rho0 = T(density_of(material));
     const SymmetricTensor<T> A = J_before * sums.moment;
     // A corner has the moment 1/8, an edge 1/4, a face 1/2. The forces of a fluid turn nothing where moments are
@@ -277,7 +281,7 @@ struct Particle {
   /// dt through which it moved at v. One that has been deleted has no volume.
   template <class M, class T>
   Nodal<T, 1> force(State<M, T>& state, const M& material, const ParticleForces<T>& forces,
-                    const ParticleAnswer<T>& answer, const Wendland& kernel, const T& V0, const Vector3<T>& v,
+                    const ParticleAnswer<T>& answer, const detail::Wendland& kernel, const T& V0, const Vector3<T>& v,
                     double dt, T& hourglass_work) const {
     const Vector3<T> hourglass = (-0.5 * smoothing.hourglass * kernel.h * V0) * forces.hourglass;
     hourglass_work += T(0.5 * dt) * dot<T>(state.hourglass + hourglass, v);

@@ -1,0 +1,11 @@
+// expect: MassScaled takes elements with a shape
+#include <strike/strike.hpp>
+
+using namespace strike;
+
+int main() {
+  const Mesh ball = particles(SphereShape{.radius = 1}, 4);
+  const Elastic steel{.density = 7850, .youngs_modulus = 200e9, .poissons_ratio = 0.3};
+  Explicit run{Scene{ball.nodes, Part{MassScaled{Particle{}, 1e-3}, steel, ball.particles}}};
+  run.until(1e-3);
+}
