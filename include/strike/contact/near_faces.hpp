@@ -49,6 +49,7 @@ class NearFaces {
     if (corners_.empty()) {
       for (const auto& face : faces.target.faces()) corners_.insert(corners_.end(), face.begin(), face.end());
       corners_ = ascending(std::move(corners_));
+      are_corners_ = self && std::includes(corners_.begin(), corners_.end(), nodes.begin(), nodes.end());
     }
     // The way of the last step, with all impulses, takes the place of the one that was expected.
     const double before = step_reach_;
@@ -140,12 +141,13 @@ class NearFaces {
       }
       return Squares{std::sqrt(largest.way), std::sqrt(largest.velocity)};
     };
-    const Squares of_faces = most(corners_), of_nodes = self ? of_faces : most(nodes);
+    const Squares of_faces = most(corners_), of_nodes = are_corners_ ? of_faces : most(nodes);
     last_reach_ = of_faces.way + of_nodes.way, speed_ = of_faces.velocity + of_nodes.velocity;
   }
 
   BucketSearch search_;
   std::vector<Index> corners_;  // of the faces, each once
+  bool are_corners_ = false;    // all nodes are among them, and none is a particle or what a deleted cell has left
   double margin_ = -1, travelled_ = 0, speed_ = 0, step_reach_ = 0, last_reach_ = 0, largest_inverse_mass_ = 0;
   std::size_t sorts_ = 0;
   std::vector<double> wakes_,

@@ -91,11 +91,13 @@ class Cloud {
       sums *= T(kernel_.factor());
       using State = typename All::State;
       State state = block.state;
-      auto [response, answer, end_work] = elements.element.advance(state, elements.material, sums, kernel_, dt);
+      ParticleStep<T> step = elements.element.advance(state, elements.material, sums, kernel_, dt);
+      auto& response = step.response;
+      auto& answer = step.answer;
       if constexpr (All::erodes) {
         Nodal<T, 1> x;
         set_column(x, 0, self.x);
-        erode(elements, b, state, x, dt, response, outcome.deletions, [&] { return end_work; });
+        erode(elements, b, state, x, dt, response, outcome.deletions, [&] { return step.end_work; });
       } else {
         block.state = state;
       }
@@ -301,15 +303,15 @@ class Cloud {
     images_.clear();
     std::vector<Eigen::Vector3d> all = found_at_;
     for (std::size_t k = 0; k < planes_.size(); ++k) {
-      const auto& [normal, point] = planes_[k];
-      const auto beyond = [&](std::size_t j) { return normal.dot(all[j] - point); };
+      const Plane& plane = planes_[k];
+      const auto beyond = [&](std::size_t j) { return plane.normal.dot(all[j] - plane.point); };
       double least = 0, most = 0;  // particles may be on either side, and beyond
       for (std::size_t j = 0; j < all.size(); ++j) least = std::min(least, beyond(j)), most = std::max(most, beyond(j));
       const double depth = std::min(-least, most);
       for (std::size_t j = 0, last = all.size(); j < last; ++j)
         if (const double a = beyond(j); std::abs(a) <= reach + depth) {
           images_.push_back({static_cast<Index>(j), static_cast<Index>(k)});
-          all.push_back(all[j] - 2 * a * normal);
+          all.push_back(all[j] - 2 * a * plane.normal);
         }
     }
     neighbours_.find(all, count_, reach, execution);
