@@ -291,6 +291,10 @@ TEST_CASE("particles: what is missing or wrong is said", "[particles]") {
   CHECK_THROWS_WITH(start(), "strike: part 0 has 8 particles, but 7 volumes; give one for each.");
   mesh.particles.volumes.push_back(-1);
   CHECK_THROWS_WITH(start(), "strike: particle 7 of part 0 has the volume -1; it must be positive and finite.");
+  mesh.particles.volumes.back() = 1;
+  CHECK_THROWS_WITH((Explicit{Scene{mesh.nodes, Part{Particle{}, water, mesh.particles, Erosion{.strain = 2}}}}),
+                    "strike: the particles of part 0 have no plastic strain by which Erosion{.strain = 2} could delete "
+                    "them; limit them by .volume or .step.");
   CHECK_THROWS_WITH(
       (Mirrors{Mirror{{1, 0, 0}}, Mirror{{1, 1, 0}}}),
       Catch::Matchers::Contains("between mirrors 0 and 1") && Catch::Matchers::Contains("put them at right angles"));

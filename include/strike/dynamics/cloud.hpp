@@ -9,6 +9,7 @@
 
 #include <strike/dynamics/advance.hpp>
 #include <strike/dynamics/elements.hpp>
+#include <strike/dynamics/mirror_images.hpp>
 #include <strike/dynamics/neighbours.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/element/particle.hpp>
@@ -32,14 +33,40 @@ class Cloud {
   template <class All>
   Cloud(const All& elements, const std::vector<double>& volumes) : count_(elements.size) {
     check_volumes(elements, volumes);
+    if constexpr (requires { elements.removal.strain; } && !All::measures_strain)
+      if (std::isfinite(elements.removal.strain))
+        throw Error(joined({"strike: the particles of part ", std::to_string(elements.number),
+                            " have no plastic strain by which Erosion{.strain = ", text(elements.removal.strain),
+                            "} could delete them; limit them by .volume or .step."}));
     spacing_ = std::cbrt(*std::max_element(volumes.begin(), volumes.end()));
     kernel_ = {elements.element.smoothing.length * spacing_};
-    for (const Mirror& plane : elements.element.mirrors.planes())
-      planes_.push_back({plane.normal.normalized(), plane.point});
+    images_ = MirrorImages(elements.element.mirrors);
     at_.resize(count_);
   }
   double spacing() const { return spacing_; }
 
+  /// Advances all particles over the step dt and adds their forces to the nodes.
+  template <class All, class Nodes, class Execution>
+  void compute_forces(All& elements, const Patches& patches, Nodes& nodes, std::vector<Outcome>& outcomes, double dt,
+                      const Execution& execution) {
+    gather(elements, nodes, execution);
+    execution.for_each(patches.size(), [&](std::size_t p) {
+      patches.load(patches[p], nodes);
+      outcomes[p] = advance(elements, patches[p], dt);
+    });
+    reflect_answers();
+    execution.for_each(patches.size(), [&](std::size_t p) {
+      add_forces(elements, patches[p], nodes.motion(), dt, outcomes[p]);
+      patches.store(patches[p], nodes);
+    });
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(found_at_);
+    is_found_ = false;
+  }
+
+ private:
   /// Gathers the motion of the particles and their images; finds their neighbours anew once they have moved too far.
   template <class All, class Nodes, class Execution>
   void gather(const All& elements, const Nodes& nodes, const Execution& execution) {
@@ -68,9 +95,8 @@ class Cloud {
     });
     for (std::size_t k = 0; k < images_.size(); ++k) {
       Seen& image = particles_[count_ + k];
-      image = particles_[images_[k].of];
-      const Plane& plane = planes_[images_[k].plane];
-      reflect_place(plane, image.x), reflect(plane, image.v);
+      image = particles_[images_.of(k)];
+      images_.reflect_place(k, image.x, origin_), images_.reflect(k, image.v);
     }
   }
 
@@ -120,15 +146,12 @@ class Cloud {
   void reflect_answers() {
     for (std::size_t k = 0; k < images_.size(); ++k) {
       Answer& image = answers_[count_ + k];
-      image = answers_[images_[k].of];
-      const Plane& plane = planes_[images_[k].plane];
-      for (Real* column = image.stress; column < image.stress + 9; column += 3) reflect(plane, column);
-      for (int row = 0; row < 3; ++row) reflect<3>(plane, image.stress + row);
+      image = answers_[images_.of(k)];
+      images_.reflect_tensor(k, image.stress);
       Real D[9];
       constexpr int of[] = {0, 3, 5, 3, 1, 4, 5, 4, 2}, at[] = {0, 4, 8, 1, 5, 2};
       for (int i = 0; i < 9; ++i) D[i] = image.rate[of[i]];
-      for (Real* column = D; column < D + 9; column += 3) reflect(plane, column);
-      for (int row = 0; row < 3; ++row) reflect<3>(plane, D + row);
+      images_.reflect_tensor(k, D);
       for (int i = 0; i < 6; ++i) image.rate[i] = D[at[i]];
     }
   }
@@ -164,13 +187,6 @@ class Cloud {
     outcome.hourglass_work += static_cast<double>(reduce_sum(hourglass_work));
   }
 
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(found_at_);
-    is_found_ = false;
-  }
-
- private:
   /// Errors: a particle without a volume, or with one that is not positive.
   template <class All>
   [[gnu::cold]] static void check_volumes(const All& elements, const std::vector<double>& volumes) {
@@ -193,14 +209,6 @@ class Cloud {
   struct Answer {
     Real stress[9], rate[6], impedance;
   };
-  struct Plane {
-    Eigen::Vector3d normal, point;
-  };
-  /// The image of a particle, or of an image before it, behind a plane.
-  struct Image {
-    Index of, plane;
-  };
-
   /// The particles of a block; idle lanes repeat the last.
   struct Self {
     Vector3<T> x, v;
@@ -249,20 +257,6 @@ class Cloud {
     set_lane(answer.impedance, l, a.impedance);
   }
 
-  /// a - 2 (a . n) n, of a vector whose components are `stride` apart.
-  template <int stride = 1>
-  static void reflect(const Plane& plane, Real* a) {
-    Real along = 0;
-    for (int c = 0; c < 3; ++c) along += static_cast<Real>(plane.normal(c)) * a[stride * c];
-    for (int c = 0; c < 3; ++c) a[stride * c] -= Real(2) * along * static_cast<Real>(plane.normal(c));
-  }
-  void reflect_place(const Plane& plane, Real* x) const {
-    const Eigen::Vector3d from = plane.point - origin_;
-    for (int c = 0; c < 3; ++c) x[c] -= static_cast<Real>(from(c));
-    reflect(plane, x);
-    for (int c = 0; c < 3; ++c) x[c] += static_cast<Real>(from(c));
-  }
-
   template <class All>
   static std::size_t place(const All& elements, std::size_t p) {
     return elements.blocks[p / width].nodes[0][p % width];
@@ -279,7 +273,7 @@ class Cloud {
     });
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& sum : sums) mean += sum / static_cast<double>(count_);
-    for (const Plane& plane : planes_) mean -= mean.dot(plane.normal) * plane.normal;
+    mean = images_.along(mean);
     std::vector<double> most(sums.size());
     for_each_chunk(execution, count_, [&](std::size_t k, std::size_t first, std::size_t last) {
       for (std::size_t p = first; p < last; ++p)
@@ -300,20 +294,8 @@ class Cloud {
       origin_ *= 1 / static_cast<double>(count_);
     }
     const double reach = kernel_.reach() + skin();
-    images_.clear();
     std::vector<Eigen::Vector3d> all = found_at_;
-    for (std::size_t k = 0; k < planes_.size(); ++k) {
-      const Plane& plane = planes_[k];
-      const auto beyond = [&](std::size_t j) { return plane.normal.dot(all[j] - plane.point); };
-      double least = 0, most = 0;  // particles may be on either side, and beyond
-      for (std::size_t j = 0; j < all.size(); ++j) least = std::min(least, beyond(j)), most = std::max(most, beyond(j));
-      const double depth = std::min(-least, most);
-      for (std::size_t j = 0, last = all.size(); j < last; ++j)
-        if (const double a = beyond(j); std::abs(a) <= reach + depth) {
-          images_.push_back({static_cast<Index>(j), static_cast<Index>(k)});
-          all.push_back(all[j] - 2 * a * plane.normal);
-        }
-    }
+    images_.find(all, reach);
     neighbours_.find(all, count_, reach, execution);
     near_.resize((count_ + width - 1) / width);
   }
@@ -321,10 +303,9 @@ class Cloud {
   double spacing_ = 0;
   Wendland kernel_{0};
   std::size_t count_ = 0;
-  std::vector<Plane> planes_;
   std::vector<Eigen::Vector3d> at_, found_at_;  // positions now, and when neighbours were found
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  std::vector<Image> images_;
+  MirrorImages images_;
   std::vector<Seen> particles_;
   std::vector<Answer> answers_;
   Neighbours<width> neighbours_;

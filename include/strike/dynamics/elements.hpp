@@ -77,6 +77,7 @@ struct Elements {
   static constexpr std::size_t width = lanes<T>;
   static constexpr bool erodes = !std::same_as<Removal, NoErosion>;
   static constexpr bool has_geometry = needs_geometric_strain<Removal, M, E::nodes>();
+  static constexpr bool measures_strain = has_geometry || has_plastic_strain<M>();
   static constexpr bool averages_volume = requires { requires E::averages_volume; };
   using State = typename E::template State<M, T>;
   /// Elements of such a part may give no force any more.

@@ -31,6 +31,29 @@ template <class M>
                    density_of(material));
 }
 
+/// The energy that a mass of a material holds at rest, such as that of a gas under pressure.
+template <class M, class Number>
+Number stored_energy(const M& material, const Number& mass) {
+  typename M::template State<double> state{};
+  if constexpr (requires { state.internal_energy; }) {
+    if constexpr (requires { material.begin(state); }) material.begin(state);
+    return mass * (state.internal_energy / density_of(material));
+  } else {
+    return (void)material, (void)mass, Number(0.0);
+  }
+}
+/// The sentences of a material of which a mass is in so many elements; of a section over half waves of four elements.
+template <class M>
+[[gnu::cold]] std::string warning_of(const M& material, [[maybe_unused]] double mass,
+                                     [[maybe_unused]] std::size_t elements) {
+  if constexpr (requires { material.warning(0.0); })
+    return material.warning(4 * std::sqrt(mass / density_of(material) / static_cast<double>(elements)));
+  else if constexpr (requires { material.warning(); })
+    return material.warning();
+  else
+    return (void)material, std::string{};
+}
+
 /// A sentence on numbers of different units: a wave speed that no system of docs/units.md gives, from rubber's to
 /// diamond's, or more steps than a run of an impact takes; empty: none.
 [[gnu::cold]] inline std::string unit_slip(std::size_t part, double speed, double steps) {

@@ -75,24 +75,15 @@ class RunningPart {
       sum_volumes(nodes, [&](std::size_t patches, const auto& f) { execution.for_each(patches, f); });
       volume_.update(patches_);
     }
-    if constexpr (sees_neighbours) {
-      cloud_.gather(elements_, nodes, execution);
+    if constexpr (sees_neighbours)
+      cloud_.compute_forces(elements_, patches_, nodes, outcomes_, schedule.dt(0), execution);
+    else
       execution.for_each(patches_.size(), [&](std::size_t p) {
-        patches_.load(patches_[p], nodes);
-        outcomes_[p] = cloud_.advance(elements_, patches_[p], schedule.dt(0));
-      });
-      cloud_.reflect_answers();
-    }
-    execution.for_each(patches_.size(), [&](std::size_t p) {
-      if constexpr (sees_neighbours) {
-        cloud_.add_forces(elements_, patches_[p], nodes.motion(), schedule.dt(0), outcomes_[p]);
-      } else {
         if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
         schedule.load(patches_, patches_[p]);
         outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
-      }
-      patches_.store(patches_[p], nodes);
-    });
+        patches_.store(patches_[p], nodes);
+      });
     patches_.store_ghosts(nodes, execution);
     return book(nodes, ledger);
   }
@@ -100,7 +91,7 @@ class RunningPart {
   /// Sentences about the material, scaled mass, thick or thin plates and deleted elements, one after the other; empty:
   /// none.
   std::string warning() const {
-    std::string text = material_warning();
+    std::string text = detail::warning_of(material(), mass_, size());
     const auto add = [&](const std::string& sentence) {
       if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
     };
@@ -143,7 +134,7 @@ class RunningPart {
     return alive;
   }
   /// The internal energy of the material at rest, such as that of a gas under pressure.
-  double stored_energy() const { return stored_energy(mass_); }
+  double stored_energy() const { return detail::stored_energy(material(), mass_); }
   /// The place of the part among those of the scene, from 0.
   std::size_t number() const { return elements_.number; }
   /// Number of elements.
@@ -247,7 +238,7 @@ class RunningPart {
     const T mass = mass_of(given);
     T own = mass;
     if constexpr (scales_mass) own = mass / block.state.mass_factor;
-    if constexpr (erodes) block.removal.energy = stored_energy(T(static_cast<double>(n)) * own);
+    if constexpr (erodes) block.removal.energy = detail::stored_energy(material(), T(T(static_cast<double>(n)) * own));
     if constexpr (Elements::has_geometry)
       block.removal.reference.inverse = detail::inverse_of_columns(detail::element_axes<E, T>(x));
     const bool well_shaped = detail::are_well_shaped<E, T>(x);
@@ -306,26 +297,6 @@ class RunningPart {
     ledger.hourglass.book(hourglass);
     ledger.bulk_viscosity.book(bulk_viscosity);
     return stable;
-  }
-
-  /// The stored energy of the material of a mass.
-  template <class Number>
-  Number stored_energy(const Number& mass) const {
-    typename M::template State<double> state{};
-    if constexpr (requires { state.internal_energy; }) {
-      if constexpr (requires { material().begin(state); }) material().begin(state);
-      return mass * (state.internal_energy / density_of(material()));
-    } else {
-      return (void)mass, Number(0.0);
-    }
-  }
-  std::string material_warning() const {
-    if constexpr (requires { material().warning(0.0); })  // of a section: over half waves of four elements
-      return material().warning(4 * std::sqrt(mass_ / density_of(material()) / static_cast<double>(size())));
-    else if constexpr (requires { material().warning(); })
-      return material().warning();
-    else
-      return {};
   }
 
   struct Nothing {
