@@ -71,7 +71,7 @@ class Pack {
   template <class U>
     requires std::is_arithmetic_v<U>
   constexpr Pack(U value)  // implicit: literals stand in formulas
-      : Pack(detail::by_register<Pack>([&](std::size_t) { return static_cast<T>(value) - Register{}; })) {}  // exact, and no operation
+      : Pack(detail::by_register<Pack>([&](std::size_t) { return static_cast<T>(value) - Register{}; })) {}  // exact
 
   /// The same numbers in another precision.
   template <std::floating_point U>
