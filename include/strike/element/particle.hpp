@@ -43,8 +43,9 @@ struct Mirror {
   }
 };
 
-/// Planes of symmetry at right angles to each other: Mirrors{Mirror{unit(Axis::x)}, Mirror{unit(Axis::y)}}. Particles
-/// lie half a spacing off them. Error: two that are neither the same nor at right angles.
+/// Planes of symmetry at right angles or parallel to each other: Mirrors{Mirror{unit(Axis::x)}, Mirror{unit(Axis::y)}}.
+/// Particles lie half a spacing off them, and between two that are parallel. Error: two that are neither; and when the
+/// run begins two that are parallel and so near to each other that a particle sees beyond both.
 class Mirrors {
  public:
   Mirrors() = default;
@@ -53,10 +54,10 @@ class Mirrors {
     for (std::size_t k = 0; k < planes_.size(); ++k)
       for (std::size_t l = 0; l < k; ++l)
         if (const double cosine = planes_[k].normal.normalized().dot(planes_[l].normal.normalized());
-            !(std::abs(cosine) < 1e-12))
+            !(std::abs(cosine) < 1e-12 || std::abs(cosine) > 1 - 1e-12))
           throw Error(
               detail::joined({"strike: the cosine between mirrors ", std::to_string(l), " and ", std::to_string(k),
-                              " of a Particle is ", detail::text(cosine), "; put them at right angles."}));
+                              " of a Particle is ", detail::text(cosine), "; put them at right angles or parallel."}));
   }
   const std::vector<Mirror>& planes() const { return planes_; }
   void ranges(const auto& number) const {

@@ -1,0 +1,151 @@
+// Particles against closed forms: a plane shock, what turns freely, and an elastic ring.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <strike/contact/rigid_wall.hpp>
+#include <strike/dynamics.hpp>
+#include <strike/element/particle.hpp>
+#include <strike/load/initial_velocity.hpp>
+#include <strike/load/support.hpp>
+#include <strike/material/elastic.hpp>
+
+#include "problems/particle_jet.hpp"
+#include "support/catch.hpp"
+
+using namespace strike;
+using particle_jet::filled;
+using particle_jet::water;
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// Velocities of nodes.
+struct Velocities {
+  Points v;
+  template <class Archive>
+  void serialize(Archive&) {}
+  template <class N>
+  void begin(N& nodes) const {
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, v[i].cast<double>());
+  }
+};
+
+/// Behind a shock that stops matter of this speed: p, and its speed from the wall.
+struct Shock {
+  double pressure, speed;
+};
+Shock stopping(double v) {
+  double low = 0, high = 1;  // of mu; p mu/(1 + mu) = rho0 v^2
+  for (int k = 0; k < 60; ++k) {
+    const double mu = 0.5 * (low + high);
+    (water.A(mu) * mu / (1 + mu) < water.density * v * v ? low : high) = mu;
+  }
+  return {water.A(low), v / low};  // U - v, of v/U = mu/(1 + mu)
+}
+
+/// Angular momentum about the origin.
+template <class Run>
+Eigen::Vector3d turning(const Run& run) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < run.nodes().size(); ++i)
+    sum += run.nodes().mass(i) * run.nodes().x(i).cross(run.nodes().v(i));
+  return sum;
+}
+
+}  // namespace
+
+// The layers that the front has passed, less those that it smears and the two at the wall.
+TEST_CASE("particles: a plane shock has the pressure and the speed of the jump conditions", "[particles]") {
+  constexpr int layers = 40;
+  Mesh mesh = filled({0, 0, 0}, {4, 4, layers}, 1, 16.0 * layers, [](const auto&) { return true; });
+  const Mirrors sides{Mirror{{1, 0, 0}}, Mirror{{0, 1, 0}}, Mirror{{1, 0, 0}, {4, 0, 0}}, Mirror{{0, 1, 0}, {0, 4, 0}}};
+  for (const double v : {100.0, 180.0, 300.0}) {
+    Explicit run{Scene{mesh.nodes, Part{Particle{Smoothing{}, sides}, Fluid{water}, mesh.particles},
+                       InitialVelocity{{0, 0, -v}}, RigidWall{{0, 0, 0.5}, {0, 0, 1}}}};
+    const Shock exact = stopping(v);
+    const auto layer_pressure = [&] {
+      const auto p = run.part<0>().field([](const auto& state) { return state.pressure; });
+      std::vector<double> mean(layers);
+      for (std::size_t e = 0; e < p.size(); ++e) mean[e / 16] += p[e] / 16;
+      return mean;
+    };
+    const auto front = [&] {
+      const auto p = layer_pressure();
+      int k = layers - 1;
+      while (k > 0 && p[k] < 0.5 * exact.pressure) --k;
+      const auto z = [&](int l) { return run.nodes().x(16 * static_cast<std::size_t>(l)).z(); };
+      return z(k) + (p[k] - 0.5 * exact.pressure) / (p[k] - p[k + 1]) * (z(k + 1) - z(k));
+    };
+    run.until(12 / exact.speed);
+    const double first = front(), before = run.time();
+    run.until(26 / exact.speed);
+    CHECK((front() - first) / (run.time() - before) == Approx(exact.speed).epsilon(0.015));
+    const auto p = layer_pressure();
+    double mean = 0;
+    for (int k = 5; k < 20; ++k) mean += p[k] / 15;
+    CHECK(mean == Approx(exact.pressure).epsilon(0.015));
+    printf("v %g: p %+.4f front %+.4f bal %g steps %zu; %.3f %.3f %.3f %.3f\n", v, mean/exact.pressure-1, (front() - first) / (run.time() - before)/exact.speed-1, run.energy().error(), run.steps(), p[0]/exact.pressure,p[1]/exact.pressure,p[10]/exact.pressure,p[20]/exact.pressure);
+    CHECK(std::abs(run.energy().error()) < 6e-3);
+  }
+}
+
+TEST_CASE("particles: a drop and a block of solid that turn freely keep their angular momentum", "[particles]") {
+  const auto check = [](const Mesh& mesh, const auto& material, const Eigen::Vector3d& spin, double end) {
+    Velocities v;
+    for (const auto& x : mesh.nodes) v.v.push_back(spin.cross(x) + Eigen::Vector3d(0, 0.1 * spin.x() * x.z(), 0));
+    Explicit run{Scene{mesh.nodes, Part{Particle{}, material, mesh.particles}, v}};
+    const Eigen::Vector3d before = turning(run);
+    run.until(end);
+    printf("angular %g of, balance %g steps %zu linear %g kin %g int %g hg %g\n", (turning(run) - before).norm()/before.norm(), run.energy().error(), run.steps(), run.momentum().norm(), run.energy().kinetic/run.energy().initial,run.energy().internal/run.energy().initial, run.energy().hourglass/run.energy().initial);
+    double r=0; for (auto& x: run.positions()) r=std::max(r,x.norm()); printf("r %g\n", r);
+    CHECK((turning(run) - before).norm() < 1e-10 * before.norm());
+    CHECK(std::abs(run.energy().error()) < 6e-3);
+  };
+  const CubicEos with_tension{.density = 1, .C1 = 1};
+  const Mesh drop = filled({-5, -5, -5}, {5, 5, 5}, 1, 4 * std::numbers::pi / 3 * 91.125,
+                           [](const Eigen::Vector3d& x) { return x.norm() < 4.5; });
+  check(drop, Fluid{with_tension}, {0.01, 0.02, 0.03}, 60);
+  const Mesh block = filled({-4, -3, -2}, {4, 3, 2}, 1, 8 * 6 * 4, [](const auto&) { return true; });
+  check(block, Elastic{1, 1, 0.3}, {0.01, 0.02, 0.03}, 60);
+}
+
+// A thin ring breathes at sqrt(E/rho)/R; its squared frequency is the larger by ln(b/a) R/(b - a) = 1 + (b - a)^2/12R^2.
+TEST_CASE("particles: an elastic ring breathes at its frequency", "[particles]") {
+  constexpr double R = 20, E = 1, rho = 1, speed = 1e-3;
+  constexpr int around = 32;  // in a quarter
+  const double angle = std::numbers::pi / 2 / around;
+  Mesh mesh;
+  Velocities v;
+  for (int k = 0; k < around; ++k)
+    for (int i = -1; i < 2; ++i)
+      for (int j = -1; j < 2; ++j) {
+        const Eigen::Vector3d out(std::cos((k + 0.5) * angle), std::sin((k + 0.5) * angle), 0);
+        mesh.particles.cells.push_back({static_cast<Index>(mesh.nodes.size())});
+        mesh.particles.volumes.push_back((R + i) * angle);
+        mesh.nodes.push_back((R + i) * out + Eigen::Vector3d(0, 0, j));
+        v.v.push_back(speed * out);
+      }
+  for (const double nu : {0.0, 0.3}) {
+    Explicit run{Scene{mesh.nodes,
+                       Part{Particle{Smoothing{}, Mirrors{Mirror{{1, 0, 0}}, Mirror{{0, 1, 0}}}}, Elastic{rho, E, nu},
+                            mesh.particles},
+                       v}};
+    std::vector<double> zeros;
+    double before = 0, before_time = 0, most = 0;
+    run.until(2.2 * std::numbers::pi * R * std::sqrt(rho / E), [&] {
+      double mean = 0;
+      for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+        mean += (run.nodes().x(i).head<2>().norm() - mesh.nodes[i].head<2>().norm()) / double(mesh.nodes.size());
+      if (before != 0 && before * mean < 0)
+        zeros.push_back(before_time + (run.time() - before_time) * before / (before - mean));
+      before = mean, before_time = run.time();
+      most = std::max(most, mean);
+    });
+    const double period = 2 * std::numbers::pi * R * std::sqrt(rho / E);
+    printf("nu %g zeros %zu period %.4f %.4f amp %.4f bal %g steps %zu\n", nu, zeros.size(), 2*zeros[0]/period, zeros.size()>1? zeros[1]/period : 0., most/(speed*R), run.energy().error(), run.steps());
+    CHECK(zeros.back() == Approx(period).epsilon(0.005));
+  }
+}
