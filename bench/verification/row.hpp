@@ -28,7 +28,8 @@ inline void row(const char* problem, const char* quantity, const Band& band, dou
   std::fflush(stdout);
 }
 
-/// The rows of plates, see plates.cpp.
+/// The rows of plates and of particles, see plates.cpp and particles.cpp.
 void plates();
+void particles();
 
 }  // namespace verification

@@ -142,4 +142,5 @@ int main(int count, char** arguments) {
   if (is_wanted("Hertz 18")) ball_on_plane("Hertz 18", 18, 40);
   if (is_wanted("Hertz 18 penalty")) ball_on_plane("Hertz 18 penalty", 18, 40, Penalty{});
   plates();
+  particles();
 }

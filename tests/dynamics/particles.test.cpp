@@ -201,6 +201,29 @@ TEST_CASE("particles: a half and a quarter, cut at mirrors at any angle of the s
   CHECK(most < 1e-10);
 }
 
+TEST_CASE("particles: a slice between parallel mirrors is the same as a slice and its image", "[particles]") {
+  const Mesh slice = block(4, 3, 5, 0.1);
+  const auto strike = [&](bool with_image) {
+    Mesh mesh = slice;
+    for (std::size_t i = 0; with_image && i < slice.nodes.size(); ++i) {
+      const Eigen::Vector3d& x = slice.nodes[i];
+      mesh.particles.cells.push_back({static_cast<Index>(mesh.nodes.size())}), mesh.particles.volumes.push_back(1);
+      mesh.nodes.push_back({8 - x.x(), x.y(), x.z()});
+    }
+    const Mirrors mirrors{Mirror{{1, 0, 0}}, Mirror{{0, 1, 0}}, Mirror{{-2, 0, 0}, {with_image ? 8.0 : 4.0, 7, 1}}};
+    Explicit run{Scene{mesh.nodes, Part{Particle{Smoothing{}, mirrors}, water, mesh.particles},
+                       InitialVelocity{{0, 0, -200}}, RigidWall{{0, 0, 0}, {0, 0, 1}}}};
+    run.until(0.02);
+    Points x = run.positions();
+    x.resize(slice.nodes.size());
+    return x;
+  };
+  const Points one = strike(false), two = strike(true);
+  double most = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) most = std::max(most, (one[i] - two[i]).norm());
+  CHECK(most < 1e-10);
+}
+
 TEST_CASE("particles: a run goes on from a checkpoint of any step to the bit, in double and mixed precision",
           "[particles]") {
   const ScratchFolder folder("particles");
@@ -295,6 +318,10 @@ TEST_CASE("particles: what is missing or wrong is said", "[particles]") {
   CHECK_THROWS_WITH((Explicit{Scene{mesh.nodes, Part{Particle{}, water, mesh.particles, Erosion{.strain = 2}}}}),
                     "strike: the particles of part 0 have no plastic strain by which Erosion{.strain = 2} could delete "
                     "them; limit them by .volume or .step.");
+  const Mirrors narrow{Mirror{{1, 0, 0}}, Mirror{{-1, 0, 0}, {2, 0, 0}}};
+  CHECK_THROWS_WITH((Explicit{Scene{mesh.nodes, Part{Particle{Smoothing{}, narrow}, water, mesh.particles}}}),
+                    "strike: the parallel mirrors 1 and 0 of part 0 are 2 apart, and its particles see as far as 3.1; "
+                    "put them farther apart.");
   CHECK_THROWS_WITH(
       (Mirrors{Mirror{{1, 0, 0}}, Mirror{{1, 1, 0}}}),
       Catch::Matchers::Contains("between mirrors 0 and 1") && Catch::Matchers::Contains("put them at right angles"));

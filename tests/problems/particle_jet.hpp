@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include <strike/contact/rigid_wall.hpp>
 #include <strike/dynamics/explicit.hpp>
@@ -83,7 +86,20 @@ struct Jet {
   }
 };
 
-template <class E = Particle<>, class... Policies>
+/// The whole of a round jet on a lattice that is turned and shifted about its axis by chance.
+inline Mesh by_chance(const Jet& jet, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  const Eigen::AngleAxisd turn(unit() * std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d shift = jet.spacing() * Eigen::Vector3d(unit(), unit(), 0);
+  const int n = static_cast<int>(0.8 * jet.across) + 2, layers = static_cast<int>(std::lround(jet.across * jet.aspect));
+  Mesh mesh = filled({-n, -n, 0}, {n, n, layers}, jet.spacing(), jet.volume(),
+                     [&](const Eigen::Vector3d& x) { return jet.contains(turn * (x + shift)); });
+  for (Eigen::Vector3d& x : mesh.nodes) x = turn * (x + shift);
+  return mesh;
+}
+
+template <class... Policies>
 auto on_wall(const Jet& jet, const Mesh& mesh, const Policies&... policies) {
   return Explicit{Scene{mesh.nodes, Part{Particle{Smoothing{}, jet.mirrors()}, Fluid{water}, mesh.particles},
                         InitialVelocity{{0, 0, -jet.speed}}, RigidWall{{0, 0, 0}, {0, 0, 1}}},

@@ -57,10 +57,11 @@ Eigen::Vector3d turning(const Run& run) {
 
 }  // namespace
 
-// The layers that the front has passed, less those that it smears and the two at the wall.
+// The layers that the front has passed, less those that it smears and a few at the wall, where the pressure of
+// particles is low: they see nothing behind it, and its force acts on the first alone.
 TEST_CASE("particles: a plane shock has the pressure and the speed of the jump conditions", "[particles]") {
   constexpr int layers = 40;
-  Mesh mesh = filled({0, 0, 0}, {4, 4, layers}, 1, 16.0 * layers, [](const auto&) { return true; });
+  const Mesh mesh = filled({0, 0, 0}, {4, 4, layers}, 1, 16.0 * layers, [](const auto&) { return true; });
   const Mirrors sides{Mirror{{1, 0, 0}}, Mirror{{0, 1, 0}}, Mirror{{1, 0, 0}, {4, 0, 0}}, Mirror{{0, 1, 0}, {0, 4, 0}}};
   for (const double v : {100.0, 180.0, 300.0}) {
     Explicit run{Scene{mesh.nodes, Part{Particle{Smoothing{}, sides}, Fluid{water}, mesh.particles},
@@ -74,9 +75,9 @@ TEST_CASE("particles: a plane shock has the pressure and the speed of the jump c
     };
     const auto front = [&] {
       const auto p = layer_pressure();
-      int k = layers - 1;
+      std::size_t k = layers - 1;
       while (k > 0 && p[k] < 0.5 * exact.pressure) --k;
-      const auto z = [&](int l) { return run.nodes().x(16 * static_cast<std::size_t>(l)).z(); };
+      const auto z = [&](std::size_t l) { return run.nodes().x(16 * l).z(); };
       return z(k) + (p[k] - 0.5 * exact.pressure) / (p[k] - p[k + 1]) * (z(k + 1) - z(k));
     };
     run.until(12 / exact.speed);
@@ -85,9 +86,8 @@ TEST_CASE("particles: a plane shock has the pressure and the speed of the jump c
     CHECK((front() - first) / (run.time() - before) == Approx(exact.speed).epsilon(0.015));
     const auto p = layer_pressure();
     double mean = 0;
-    for (int k = 5; k < 20; ++k) mean += p[k] / 15;
+    for (std::size_t k = 5; k < 20; ++k) mean += p[k] / 15;
     CHECK(mean == Approx(exact.pressure).epsilon(0.015));
-    printf("v %g: p %+.4f front %+.4f bal %g steps %zu; %.3f %.3f %.3f %.3f\n", v, mean/exact.pressure-1, (front() - first) / (run.time() - before)/exact.speed-1, run.energy().error(), run.steps(), p[0]/exact.pressure,p[1]/exact.pressure,p[10]/exact.pressure,p[20]/exact.pressure);
     CHECK(std::abs(run.energy().error()) < 6e-3);
   }
 }
@@ -99,8 +99,6 @@ TEST_CASE("particles: a drop and a block of solid that turn freely keep their an
     Explicit run{Scene{mesh.nodes, Part{Particle{}, material, mesh.particles}, v}};
     const Eigen::Vector3d before = turning(run);
     run.until(end);
-    printf("angular %g of, balance %g steps %zu linear %g kin %g int %g hg %g\n", (turning(run) - before).norm()/before.norm(), run.energy().error(), run.steps(), run.momentum().norm(), run.energy().kinetic/run.energy().initial,run.energy().internal/run.energy().initial, run.energy().hourglass/run.energy().initial);
-    double r=0; for (auto& x: run.positions()) r=std::max(r,x.norm()); printf("r %g\n", r);
     CHECK((turning(run) - before).norm() < 1e-10 * before.norm());
     CHECK(std::abs(run.energy().error()) < 6e-3);
   };
@@ -112,7 +110,8 @@ TEST_CASE("particles: a drop and a block of solid that turn freely keep their an
   check(block, Elastic{1, 1, 0.3}, {0.01, 0.02, 0.03}, 60);
 }
 
-// A thin ring breathes at sqrt(E/rho)/R; its squared frequency is the larger by ln(b/a) R/(b - a) = 1 + (b - a)^2/12R^2.
+// A thin ring breathes at sqrt(E/rho)/R; its squared frequency is the larger by ln(b/a) R/(b - a) = 1 + (b -
+// a)^2/12R^2.
 TEST_CASE("particles: an elastic ring breathes at its frequency", "[particles]") {
   constexpr double R = 20, E = 1, rho = 1, speed = 1e-3;
   constexpr int around = 32;  // in a quarter
@@ -129,23 +128,23 @@ TEST_CASE("particles: an elastic ring breathes at its frequency", "[particles]")
         v.v.push_back(speed * out);
       }
   for (const double nu : {0.0, 0.3}) {
-    Explicit run{Scene{mesh.nodes,
-                       Part{Particle{Smoothing{}, Mirrors{Mirror{{1, 0, 0}}, Mirror{{0, 1, 0}}}}, Elastic{rho, E, nu},
-                            mesh.particles},
-                       v}};
+    Explicit run{Scene{
+        mesh.nodes,
+        Part{Particle{Smoothing{}, Mirrors{Mirror{{1, 0, 0}}, Mirror{{0, 1, 0}}}}, Elastic{rho, E, nu}, mesh.particles},
+        v}};
     std::vector<double> zeros;
-    double before = 0, before_time = 0, most = 0;
+    double before = 0, before_time = 0;
     run.until(2.2 * std::numbers::pi * R * std::sqrt(rho / E), [&] {
       double mean = 0;
       for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-        mean += (run.nodes().x(i).head<2>().norm() - mesh.nodes[i].head<2>().norm()) / double(mesh.nodes.size());
+        mean += (run.nodes().x(i).head<2>().norm() - mesh.nodes[i].head<2>().norm()) /
+                static_cast<double>(mesh.nodes.size());
       if (before != 0 && before * mean < 0)
         zeros.push_back(before_time + (run.time() - before_time) * before / (before - mean));
       before = mean, before_time = run.time();
-      most = std::max(most, mean);
     });
     const double period = 2 * std::numbers::pi * R * std::sqrt(rho / E);
-    printf("nu %g zeros %zu period %.4f %.4f amp %.4f bal %g steps %zu\n", nu, zeros.size(), 2*zeros[0]/period, zeros.size()>1? zeros[1]/period : 0., most/(speed*R), run.energy().error(), run.steps());
-    CHECK(zeros.back() == Approx(period).epsilon(0.005));
+    CHECK(zeros.size() == 2);
+    CHECK(zeros.back() == Approx(period).epsilon(0.004));  // .1 % is the thickness, the rest half a step and nine rows
   }
 }
