@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include <strike/element/hex8.hpp>
 #include <strike/element/mass_scaled.hpp>
@@ -53,4 +55,18 @@ TEST_CASE("mass scaling of a plate scales its moment of inertia alike") {
   CHECK(scaled.nodal_mass() == Approx(9 * bare.nodal_mass()).epsilon(1e-12));
   CHECK(scaled.nodal_inertia() == Approx(9 * bare.nodal_inertia()).epsilon(1e-12));
   CHECK(scaled.now().stable_step == Approx(3 * bare.now().stable_step).epsilon(1e-12));
+}
+
+// A checkpoint and a deletion of plates of Plies, whose states hold lists, visit what the wrapper adds too.
+TEST_CASE("a scaled plate of plies: its numbers are those of the plate and the factor of its mass") {
+  const Layered section{Plies{Layer{PlaneStress{law}, 1.0}, 2}};
+  using Plate = MassScaled<Plate4<>>;
+  using State = Plate::State<std::remove_const_t<decltype(section)>, double>;
+  State own, other;
+  section.begin(own.material), section.begin(other.material);
+  other.mass_factor = 3, other.inverse_area = 5, other.material.shear = {7, 11};
+  visit_numbers<double>(own, other, [](auto to, auto from) { std::copy(from.begin(), from.end(), to.begin()); });
+  CHECK(own.mass_factor == 3);
+  CHECK(own.inverse_area == 5);
+  CHECK(own.material.shear == other.material.shear);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <strike/element/element.hpp>
 #include <strike/range.hpp>
+#include <strike/scalar/scalar.hpp>
 
 namespace strike {
 
@@ -21,6 +22,14 @@ struct MassScaled : E {
   template <class M, class T>
   struct State : E::template State<M, T> {
     T mass_factor{1.0};
+
+    /// All its numbers beside those of another, where a section holds lists.
+    template <class F>
+    void visit_numbers(const State& other, const F& f) {
+      using Own = typename E::template State<M, T>;
+      strike::visit_numbers<T>(static_cast<Own&>(*this), static_cast<const Own&>(other), f);
+      strike::visit_numbers<T>(mass_factor, other.mass_factor, f);
+    }
   };
 
   template <class M, class T>
