@@ -39,7 +39,7 @@ struct ProgressOptions {
 class Progress {
  public:
   /// Error: a number out of its range.
-  explicit Progress(const ProgressOptions& options) : options_(detail::in_range(options)) {
+  explicit Progress(const ProgressOptions& options = {}) : options_(detail::in_range(options)) {
     bool shown = options.show == Show::always;
 #if __has_include(<unistd.h>)
     if (options.show == Show::on_terminal) shown = ::isatty(::fileno(options.stream)) == 1;
