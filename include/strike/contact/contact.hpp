@@ -122,7 +122,8 @@ class Contact {
       if (is_first_[all_.local(i)]) sum += f;
     return sum;
   }
-  /// The impulse on those nodes since the start [force time].
+  /// The impulse on those nodes since the start [force time]. Zero but for rounding of SelfContact and Everything,
+  /// which count both bodies: pair two to know it.
   const Eigen::Vector3d& impulse() const { return impulse_; }
   /// The forces of the last step on every node of the scene, whose number is `nodes`.
   std::vector<Eigen::Vector3d> forces(std::size_t nodes) const {
