@@ -41,7 +41,7 @@ class Cloud {
     spacing_ = std::cbrt(*std::max_element(volumes.begin(), volumes.end()));
     kernel_ = {elements.element.smoothing.length * spacing_};
     images_ = MirrorImages(elements.element.mirrors);
-    check_gaps(elements);
+    images_.check_gaps(kernel_.reach() + skin(), elements.number);
     at_.resize(count_);
   }
   double spacing() const { return spacing_; }
@@ -199,22 +199,6 @@ class Cloud {
       if (!(volumes[e] > 0 && std::isfinite(volumes[e])))
         throw Error(joined({"strike: particle ", std::to_string(e), " of part ", part, " has the volume ",
                             text(volumes[e]), "; it must be positive and finite."}));
-  }
-
-  /// Error: parallel mirrors so near to each other that images of images would be seen.
-  template <class All>
-  [[gnu::cold]] void check_gaps(const All& elements) const {
-    const std::vector<Mirror>& planes = elements.element.mirrors.planes();
-    const double least = kernel_.reach() + skin();
-    for (std::size_t k = 0; k < planes.size(); ++k)
-      for (std::size_t l = 0; l < k; ++l) {
-        const Eigen::Vector3d n = planes[l].normal.normalized();
-        const double gap = std::abs(n.dot(planes[k].point - planes[l].point));
-        if (std::abs(n.dot(planes[k].normal.normalized())) > 0.5 && gap < least)
-          throw Error(joined({"strike: the parallel mirrors ", std::to_string(k), " and ", std::to_string(l),
-                              " of part ", std::to_string(elements.number), " are ", text(gap),
-                              " apart, and its particles see as far as ", text(least), "; put them farther apart."}));
-      }
   }
 
   /// A particle as its neighbours see it: position less the origin, velocity, reference volume, 0 if it had been

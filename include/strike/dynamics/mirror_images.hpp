@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <strike/element/particle.hpp>
+#include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/text.hpp>
 
 namespace strike::detail {
 
@@ -17,6 +20,18 @@ class MirrorImages {
   MirrorImages() = default;
   explicit MirrorImages(const Mirrors& mirrors) {
     for (const Mirror& plane : mirrors.planes()) planes_.push_back({plane.normal.normalized(), plane.point});
+  }
+  /// Error: parallel planes so near to each other that a particle of the part, which sees as far as `reach`, would see
+  /// images of images.
+  [[gnu::cold]] void check_gaps(double reach, std::size_t part) const {
+    for (std::size_t k = 0; k < planes_.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l) {
+        const double gap = std::abs(planes_[l].normal.dot(planes_[k].point - planes_[l].point));
+        if (std::abs(planes_[l].normal.dot(planes_[k].normal)) > 0.5 && gap < reach)
+          throw Error(joined({"strike: the parallel mirrors ", std::to_string(k), " and ", std::to_string(l),
+                              " of part ", std::to_string(part), " are ", text(gap),
+                              " apart, and its particles see as far as ", text(reach), "; put them farther apart."}));
+      }
   }
   std::size_t size() const { return images_.size(); }
   /// Number of the point or image that image k is of; points are counted first.
