@@ -21,9 +21,11 @@
 #include "output/scratch.hpp"
 #include "support/catch.hpp"
 #include "support/frame.hpp"
+#include "support/velocities.hpp"
 
 using namespace strike;
 using testing::Frame;
+using testing::Velocities;
 
 namespace {
 
@@ -48,17 +50,6 @@ Mesh block(int nx, int ny, int nz, double noise = 0) {
       }
   return mesh;
 }
-
-/// Velocities of nodes.
-struct Velocities {
-  Points v;
-  template <class Archive>
-  void serialize(Archive&) {}
-  template <class N>
-  void begin(N& nodes) const {
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, v[i].cast<double>());
-  }
-};
 
 /// The block strikes a wall aslant, spinning.
 template <class M, class... Policies>

@@ -13,25 +13,16 @@
 
 #include "problems/particle_jet.hpp"
 #include "support/catch.hpp"
+#include "support/velocities.hpp"
 
 using namespace strike;
 using particle_jet::filled;
 using particle_jet::water;
+using testing::Velocities;
 
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
-
-/// Velocities of nodes.
-struct Velocities {
-  Points v;
-  template <class Archive>
-  void serialize(Archive&) {}
-  template <class N>
-  void begin(N& nodes) const {
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, v[i].cast<double>());
-  }
-};
 
 /// Behind a shock that stops matter of this speed: p, and its speed from the wall.
 struct Shock {

@@ -86,8 +86,7 @@ struct Wendland {
 
 }  // namespace detail
 
-/// Sums of a particle over its neighbours j, of reference volume V_j, at d = x_j - x:
-/// G = g d.
+/// Sums of a particle over its neighbours j, of reference volume V_j, at d = x_j - x; G = g d.
 template <class T>
 struct ParticleSums {
   SymmetricTensor<T> moment{};               ///< A = sum V_j d (x) G [1]

@@ -66,7 +66,7 @@ struct OrthotropicPly {
     return T(-nu12 / (E1 * dt)) * change.xx - T(nu23 / (E2 * dt)) * change.yy;
   }
 
-  // What a section asks of fibres.
+  // For a section with fibres.
   /// Q [stress].
   PlaneStiffness plane_stiffness() const {
     const double Q22 = this->Q22(), Q12 = nu12 * Q22;

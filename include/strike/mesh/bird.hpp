@@ -40,6 +40,13 @@ struct BirdShape {
   }
 };
 
+namespace detail {
+/// V/(pi D^3) of the smooth body of an aspect L/D.
+inline double volume_per_cube(BirdForm form, double aspect) {
+  return form == BirdForm::cylinder ? aspect / 4 : form == BirdForm::ellipsoid ? aspect / 6 : aspect / 4 - 1.0 / 12;
+}
+}  // namespace detail
+
 /// Size of the smooth body of a bird [length].
 struct BirdSize {
   double diameter, length;
@@ -47,10 +54,7 @@ struct BirdSize {
 inline BirdSize size_of(const BirdShape& shape) {
   detail::check_ranges(shape);
   const double a = shape.aspect, V = shape.mass / shape.density;
-  const double per_cube = shape.form == BirdForm::cylinder    ? a / 4
-                          : shape.form == BirdForm::ellipsoid ? a / 6
-                                                              : a / 4 - 1.0 / 12;  // V/(pi D^3)
-  const double D = std::cbrt(V / (std::numbers::pi * per_cube));
+  const double D = std::cbrt(V / (std::numbers::pi * detail::volume_per_cube(shape.form, a)));
   if (!(D > 0) || !std::isfinite(D))
     throw Error(detail::joined({"strike: a bird of mass ", detail::text(shape.mass), " and density ",
                                 detail::text(shape.density), " has no size that is a number; correct them."}));

@@ -43,10 +43,7 @@ struct RoundBody {
   double diameter, length, middle;
   BirdForm form = BirdForm::cylinder;
 
-  double volume() const {
-    const double a = length / diameter, cube = std::numbers::pi * std::pow(diameter, 3);
-    return cube * (form == BirdForm::cylinder ? a / 4 : form == BirdForm::ellipsoid ? a / 6 : a / 4 - 1.0 / 12);
-  }
+  double volume() const { return std::numbers::pi * std::pow(diameter, 3) * volume_per_cube(form, length / diameter); }
   /// Of a place relative to the middle.
   bool holds(const Eigen::Vector3d& x) const {
     const double R = diameter / 2, half = length / 2, r2 = x[0] * x[0] + x[1] * x[1], z = std::abs(x[2]);
@@ -110,7 +107,7 @@ class ClosedSurface {
     for (const auto& [a, b, c] : triangles_) volume_ += nodes[a].dot(nodes[b].cross(nodes[c])) / 6;
   }
 
-  /// What the triangles enclose, negative if they face inwards [length^3].
+  /// Volume that the triangles enclose, negative if they face inwards [length^3].
   double volume() const { return volume_; }
   const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
 
@@ -174,8 +171,7 @@ inline Mesh particles(const SphereShape& shape, Index across) {
 }
 
 /// Particles of a brick, one in the middle of each of the cells that its `cells` cut it into, whatever its grading;
-/// cubes are best. Errors: a number out of its range; 2^32 particles or
-/// more.
+/// cubes are best. Errors: a number out of its range; 2^32 particles or more.
 inline Mesh particles(const BoxShape& shape) {
   detail::check_ranges(shape);
   const auto [nx, ny, nz] = shape.cells;

@@ -95,7 +95,6 @@ inline std::vector<char> alternating_corners(const Mesh& mesh) {
 /// - Split::six: every face is cut along the diagonal from its node of lowest number (rule of Dompierre et al. 1999),
 ///   and the cell is the cone from its lowest node over the three faces that do not touch it.
 /// - Split::five: one between four corners of which no two share an edge, a third of a cube, and one at each of the
-/// four
 ///   others. Neighbours alternate. All shapes here can be split so, round ones too: whatever has no hole.
 /// Error: five where hexahedra go around a hole in an odd number.
 inline Mesh tetrahedralized(Mesh mesh, Split split = Split::six) {
