@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include <strike/mesh/check.hpp>
 #include <strike/mesh/particles.hpp>
@@ -126,13 +127,24 @@ TEST_CASE("particles: inside meshes they are those of the bodies, on however man
   CHECK(volume(particles(skin, 0.5)) == Approx(12.5).epsilon(1e-14));
 }
 
+TEST_CASE("particles: what lies on lines of the lattice but for rounding lies on them") {
+  const Mesh brick = box({.lower = {-1.25, -1.25, -1}, .size = {2.5, 2.5, 2}, .cells = {5, 5, 4}});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> rounding(-1e-12, 1e-12);
+  for (int times = 0; times < 20; ++times) {
+    Mesh shaken = tetrahedralized(brick);
+    for (Eigen::Vector3d& x : shaken.nodes) x += Eigen::Vector3d::NullaryExpr([&] { return rounding(random); });
+    CHECK(particles(shaken, 0.5).nodes == particles(brick, 0.5).nodes);
+  }
+}
+
 TEST_CASE("particles: of a turned and shifted mesh they are the points in the turned body") {
   const Eigen::Vector3d axis(1, 2, 3), size(2, 1.4, 1.1);
+  const double h = 0.1, near_is = 2e-5 * h;  // places are rounded to 2^-17 in each direction
   for (const double angle : {0.0, 0.3, pi / 2, 2.0})
     for (const Eigen::Vector3d& shift : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, -3.7, 5.05)}) {
       const Mesh brick = box({.lower = -0.5 * size, .size = size, .cells = {3, 2, 2}});
       const Mesh mesh = translated(rotated(brick, axis, angle), shift);
-      const double h = 0.1;
       const Mesh all = particles(mesh, h);
       const Eigen::Matrix3d back = Eigen::AngleAxisd(-angle, axis.normalized()).toRotationMatrix();
       const auto depth = [&](const Eigen::Vector3d& x) {  // positive inside
@@ -143,12 +155,12 @@ TEST_CASE("particles: of a turned and shifted mesh they are the points in the tu
         for (int j = -80; j < 80; ++j)
           for (int k = -80; k < 80; ++k) {
             const double d = depth(h * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5));
-            inside += d > 1e-12, near += std::abs(d) <= 1e-12;
+            inside += d > near_is, near += std::abs(d) <= near_is;
           }
       CAPTURE(angle, shift.x());
       CHECK(all.nodes.size() >= inside);
       CHECK(all.nodes.size() <= inside + near);
-      CHECK(std::all_of(all.nodes.begin(), all.nodes.end(), [&](const auto& x) { return depth(x) > -1e-12; }));
+      CHECK(std::all_of(all.nodes.begin(), all.nodes.end(), [&](const auto& x) { return depth(x) > -near_is; }));
       CHECK(volume(all) == Approx(size.prod()).epsilon(1e-12));
     }
 }

@@ -61,7 +61,8 @@ void fits(const Mesh& mesh, const Mesh& split) {
 
 }  // namespace
 
-TEST_CASE("five tetrahedra to a hexahedron fit: boxes, the round meshes of all sectors, birds; 192 make X3D's 960") {
+TEST_CASE(
+    "five tetrahedra to a hexahedron fit: boxes, the round meshes of all sectors, birds, and 192 make X3D's 960") {
   const Mesh bricks = box({.size = {2, 3, 5}, .cells = {3, 2, 4}});
   fits(bricks, tetrahedralized(bricks, Split::five));
   CHECK(volume(tetrahedralized(bricks, Split::five)) == Approx(30).epsilon(1e-13));

@@ -1,6 +1,9 @@
+#include <array>
+
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/zero_normal_stress.hpp>
 #include <strike/section/piece.hpp>
+#include <strike/section/transverse_shear.hpp>
 
 #include "support/catch.hpp"
 
@@ -64,7 +67,7 @@ TEST_CASE("the integrals of a section are those of its layers: int (1, z, z^2)")
 }
 
 TEST_CASE("a measured layer places its points around its middle, with weights that add up to its thickness") {
-  detail::MeasuredLayer<3> layer;
+  detail::MeasuredLayer<3, ShearFlow<double>, false> layer;
   layer.place<Simpson<3>>(2, 0.5);
   CHECK(layer.z == std::array<double, 3>{1.75, 2, 2.25});
   CHECK(layer.weight[0] + layer.weight[1] + layer.weight[2] == Approx(0.5));

@@ -85,7 +85,8 @@ struct Side {
   double sign;  ///< of which the sign tells the side
 };
 /// The same for whatever face has that edge. The sign is zero only on an edge along z: the point is thought to be moved
-/// by an infinitely small way along x, and by one that is smaller still along y.
+/// by an infinitely small way along x, and by one that is smaller still along y. Exact for whole numbers whose products
+/// are below 2^53.
 inline Side side_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double x, double y) {
   const bool turned = std::pair(b[0], b[1]) < std::pair(a[0], a[1]);
   const Eigen::Vector3d &from = turned ? b : a, &to = turned ? a : b;
@@ -94,11 +95,18 @@ inline Side side_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double x
   return {way * area, way * (area != 0 ? area : dy != 0 ? -dy : dx)};
 }
 
+/// Parts of the spacing of a lattice of particles, to which places are rounded before they are compared: what lies on a
+/// line of the lattice but for rounding does lie on it, and sides are told exactly up to 2^10 spacings from one
+/// another.
+inline constexpr double parts_of_spacing = 65536;
+
 /// A closed surface of triangles, and its passages by columns along z.
 class ClosedSurface {
  public:
   /// Error: an edge of the faces that belongs to one of them only, or that two pass in the same direction.
-  ClosedSurface(std::span<const Eigen::Vector3d> nodes, const std::vector<Face>& faces) : nodes_(nodes) {
+  ClosedSurface(std::span<const Eigen::Vector3d> nodes, const std::vector<Face>& faces, double spacing)
+      : nodes_(nodes), places_(nodes.begin(), nodes.end()) {
+    for (Eigen::Vector3d& place : places_) place = (place * (parts_of_spacing / spacing)).array().round();
     for (const Face& face : faces) {
       triangles_.push_back({face.nodes[0], face.nodes[1], face.nodes[2]});
       if (!face.is_triangle()) triangles_.push_back({face.nodes[0], face.nodes[2], face.nodes[3]});
@@ -109,16 +117,21 @@ class ClosedSurface {
 
   /// Volume that the triangles enclose, negative if they face inwards [length^3].
   double volume() const { return volume_; }
-  const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
 
-  /// Adds the passage of the vertical line at (x, y) through triangle t, if there is one.
+  /// Corners of triangle t, in whole parts of the spacing.
+  std::array<Eigen::Vector3d, 3> corners(std::size_t t) const {
+    return {places_[triangles_[t][0]], places_[triangles_[t][1]], places_[triangles_[t][2]]};
+  }
+  std::size_t size() const { return triangles_.size(); }
+
+  /// Adds the passage of the vertical line at (x, y) through triangle t, if there is one [parts of the spacing].
   void pass(std::size_t t, double x, double y, std::vector<Passage>& passages) const {
-    const Eigen::Vector3d &a = nodes_[triangles_[t][0]], &b = nodes_[triangles_[t][1]], &c = nodes_[triangles_[t][2]];
+    const auto [a, b, c] = corners(t);
     const Side ab = side_of(a, b, x, y), bc = side_of(b, c, x, y), ca = side_of(c, a, x, y);
     const bool out = ab.sign > 0 && bc.sign > 0 && ca.sign > 0, in = ab.sign < 0 && bc.sign < 0 && ca.sign < 0;
     if (!out && !in) return;
     const double area = ab.area + bc.area + ca.area, z = bc.area * a[2] + ca.area * b[2] + ab.area * c[2];
-    passages.push_back({area != 0 ? z / area : a[2], out ? 1 : -1});
+    passages.push_back({area != 0 ? std::round(z / area) : a[2], out ? 1 : -1});
   }
 
  private:
@@ -144,6 +157,7 @@ class ClosedSurface {
   }
 
   std::span<const Eigen::Vector3d> nodes_;
+  std::vector<Eigen::Vector3d> places_;  // of the nodes [parts of the spacing]
   std::vector<std::array<Index, 3>> triangles_;
   double volume_ = 0;
 };
@@ -188,7 +202,8 @@ inline Mesh particles(const BoxShape& shape) {
 /// Particles inside hexahedra and tetrahedra, or if there are none inside closed surfaces of quadrilaterals. They lie
 /// half a spacing [length] from the planes x = 0, y = 0 and z = 0, so that what these planes cut off a body takes its
 /// own particles away and no others. A point belongs to the body if a vertical line through it leaves the body above it
-/// once more than it enters; faces of four corners are cut along their first diagonal. Errors: a spacing that is not
+/// once more than it enters; faces of four corners are cut along their first diagonal. Places are told apart
+/// to 2^-16 of the spacing. Errors: a spacing that is not
 /// positive; an open surface, or faces that look both ways; no particle inside; 2^32 of them or more.
 inline Mesh particles(const Mesh& body, double spacing) {
   using namespace detail;
@@ -197,36 +212,41 @@ inline Mesh particles(const Mesh& body, double spacing) {
   Mesh solid{.nodes = body.nodes, .hexahedra = body.hexahedra, .tetrahedra = body.tetrahedra};
   const std::vector<Face> skin = is_solid ? surface(solid) : quadrilateral_surface(body.quadrilaterals);
   if (skin.empty()) throw Error("strike: a mesh without cells has no inside to fill with particles; build it first.");
-  const ClosedSurface closed(body.nodes, skin);
+  const ClosedSurface closed(body.nodes, skin, spacing);
   const int outwards = closed.volume() < 0 ? -1 : 1;
 
-  // The columns of the lattice over the box of the body, and the triangles of each.
-  const auto lowest = [&](double x) { return std::floor(x / spacing - 0.5); };  // of the lattice point at or below x
-  Eigen::Vector3d lower = body.nodes[skin[0].nodes[0]], upper = lower;
-  for (const Face& face : skin)
-    for (const Index i : face.nodes) lower = lower.cwiseMin(body.nodes[i]), upper = upper.cwiseMax(body.nodes[i]);
+  // The columns of the lattice over the box of the body, and their passages.
+  const auto at = [](double i) { return (i + 0.5) * parts_of_spacing; };
+  const auto lowest = [](double x) { return std::floor(x / parts_of_spacing - 0.5); };  // lattice point at or below x
+  const auto box_of = [&](std::size_t t) {
+    const auto [a, b, c] = closed.corners(t);
+    return std::pair<Eigen::Vector3d, Eigen::Vector3d>(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+  };
+  auto [lower, upper] = box_of(0);
+  for (std::size_t t = 1; t < closed.size(); ++t) {
+    const auto [low, high] = box_of(t);
+    lower = lower.cwiseMin(low), upper = upper.cwiseMax(high);
+  }
   const double x0 = lowest(lower[0]), y0 = lowest(lower[1]), z0 = lowest(lower[2]);
   const double nx = lowest(upper[0]) - x0 + 1, ny = lowest(upper[1]) - y0 + 1, nz = lowest(upper[2]) - z0 + 1;
   check_count("particles of a body", nx * ny * nz);
-  const auto column = [nx](double i, double j) { return static_cast<std::size_t>(i + nx * j); };
   std::vector<std::vector<Passage>> passages(static_cast<std::size_t>(nx * ny));
-  const auto at = [&](double i) { return (i + 0.5) * spacing; };
-  for (std::size_t t = 0; t < closed.triangles().size(); ++t) {
-    const auto& [a, b, c] = closed.triangles()[t];
-    const Eigen::Vector3d low = body.nodes[a].cwiseMin(body.nodes[b]).cwiseMin(body.nodes[c]),
-                          high = body.nodes[a].cwiseMax(body.nodes[b]).cwiseMax(body.nodes[c]);
+  const auto column = [nx](double i, double j) { return static_cast<std::size_t>(i + nx * j); };
+  for (std::size_t t = 0; t < closed.size(); ++t) {
+    const auto [low, high] = box_of(t);
     for (double j = lowest(low[1]); j <= lowest(high[1]); ++j)
       for (double i = lowest(low[0]); i <= lowest(high[0]); ++i)
         closed.pass(t, at(i), at(j), passages[column(i - x0, j - y0)]);
   }
 
   std::vector<Eigen::Vector3d> nodes;
+  const auto place = [spacing](double i) { return (i + 0.5) * spacing; };
   for (double k = z0; k < z0 + nz; ++k)
     for (double j = 0; j < ny; ++j)
       for (double i = 0; i < nx; ++i) {
         int out = 0;
         for (const Passage& passage : passages[column(i, j)]) out += passage.z > at(k) ? passage.out : 0;
-        if (out * outwards > 0) nodes.emplace_back(at(x0 + i), at(y0 + j), at(k));
+        if (out * outwards > 0) nodes.emplace_back(place(x0 + i), place(y0 + j), place(k));
       }
   return sharing(std::move(nodes), spacing, is_solid ? volume(solid) : std::abs(closed.volume()));
 }
