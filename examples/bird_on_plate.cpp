@@ -117,9 +117,8 @@ double stagnation_pressure(double speed) {
 void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vector3d>& positions,
           const std::vector<double>& pressure, const std::vector<bool>& alive, double time) {
   const Mesh left = remaining(mesh, alive);
-  std::vector<Eigen::Vector3d> particles;
-  for (const Index i : orphan_nodes(left)) particles.push_back(positions[i]);
-  for (const auto& [i] : left.particles) particles.push_back(positions[i]);
+  std::vector<Eigen::Vector3d> debris;
+  for (const Index i : orphan_nodes(left)) debris.push_back(positions[i]);
   Picture picture{{.title = "Bird on a rigid plate after " + examples::text(time) + " ms",
                    .quantity = "pressure",
                    .unit = "MPa",
@@ -128,8 +127,11 @@ void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vecto
                    .low = 0,
                    .high = 2e3 * stagnation_pressure(record.speed),
                    .length_unit = "mm"}};
-  if (left.particles.empty()) picture.add(surface(left), positions, remaining(pressure, alive));
-  picture.add_particles(particles);
+  if (left.particles.empty())
+    picture.add(surface(left), positions, remaining(pressure, alive));
+  else
+    picture.add(left.particles, positions, remaining(pressure, alive));
+  picture.add_particles(debris);
   picture.write("bird.svg");
 }
 

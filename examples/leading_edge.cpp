@@ -174,7 +174,7 @@ Outcome fly(const Strike& strike, const Section& section, const Damage& damage, 
     const std::vector<bool> alive = panel.alive();
     const Mesh left{.nodes = mesh.nodes, .quadrilaterals = remaining(mesh.quadrilaterals, alive)};
     picture.add(quadrilateral_surface(left.quadrilaterals), x, remaining(panel.field(damage), alive), Sides::both);
-    picture.add_particles(std::span(x).subspan(first));
+    picture.add(mesh.particles, x);
     picture.write("leading_edge.svg");
   };
   History history{"history.csv",

@@ -222,10 +222,10 @@ Flight strike_at(const Transparency& target, const Section& section, const strik
     picture.add(quadrilateral_surface(mesh.quadrilaterals), x, panel.field(PlasticStrain{}), Sides::both);
     const Mesh left = what_is_left();
     if (!left.tetrahedra.empty()) picture.add(tetrahedron_surface(left.tetrahedra), x);
-    std::vector<Eigen::Vector3d> particles;  // and nodes of what has been deleted
-    for (const Index i : orphan_nodes(left)) particles.push_back(x[i]);
-    for (const auto& [i] : mesh.particles) particles.push_back(x[i]);
-    picture.add_particles(particles);
+    picture.add(left.particles, x);
+    std::vector<Eigen::Vector3d> debris;  // nodes of what has been deleted
+    for (const Index i : orphan_nodes(left)) debris.push_back(x[i]);
+    picture.add_particles(debris);
     picture.write(name + "_" + examples::text(time) + "ms.svg");
   };
   std::size_t drawn = 0;

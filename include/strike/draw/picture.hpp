@@ -3,14 +3,17 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <strike/draw/back_to_front.hpp>
 #include <strike/draw/colour.hpp>
 #include <strike/draw/svg.hpp>
 #include <strike/error.hpp>
+#include <strike/mesh/check.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/select.hpp>
 #include <strike/mesh/surface.hpp>
@@ -52,7 +55,8 @@ struct PictureOptions {
 /// A picture of deformed surfaces coloured by a value per cell, as SVG:
 /// `Picture picture{{.title = "Taylor bar", .quantity = "plastic strain", .mirror = {Axis::x, Axis::y}}};
 ///  picture.add(surface(mesh), positions, plastic_strain); picture.write("taylor.svg");`
-/// Parallel projection; faces are drawn from the back to the front by the depth of their centres.
+/// Parallel projection; faces are drawn from the back to the front by the depth of their centres, particles as balls
+/// between those behind them and those in front of them.
 class Picture {
  public:
   [[gnu::cold]] explicit Picture(PictureOptions options) : options_(std::move(options)) {
@@ -83,8 +87,26 @@ class Picture {
     add(faces, positions, values, sides, on_plane, {1, 1, 1}, 0);
   }
 
+  /// Adds particles with the positions of the nodes and `values[e]` of particle e; without values they are plain grey.
+  /// They are balls as wide as their spacing, the cube root of their volume at rest, as which they touch in contact.
+  /// Of those that are left add `remaining(mesh, alive).particles` with `remaining(values, alive)`. Errors: another
+  /// number of volumes or of values than of particles; a volume that is not positive; a node that is not there.
+  [[gnu::cold]] void add(const Particles& particles, std::span<const Eigen::Vector3d> positions,
+                         std::span<const double> values = {}) {
+    detail::check_particles(positions, particles);
+    if (!values.empty() && values.size() != particles.size())
+      throw Error(detail::joined({"strike: there are ", std::to_string(values.size()), " values of ",
+                                  std::to_string(particles.size()), " particles: give one value for each particle."}));
+    for (const double value : values) note(value);
+    for (std::size_t e = 0; e < particles.size(); ++e)
+      add_ball(positions[particles[e][0]], 0.5 * std::cbrt(particles.volumes[e]), values.empty() ? nullptr : &values[e],
+               {1, 1, 1}, 0);
+  }
+
   /// Adds nodes whose elements are all deleted, as small circles.
-  void add_particles(std::span<const Eigen::Vector3d> positions) { add_particles(positions, {1, 1, 1}, 0); }
+  void add_particles(std::span<const Eigen::Vector3d> positions) {
+    for (const Eigen::Vector3d& x : positions) add_ball(x, 0, nullptr, {1, 1, 1}, 0);
+  }
 
   /// Marks a place with a dot, on top of everything, and a label beside it. Error: a place that is not finite.
   void mark(const Eigen::Vector3d& place, std::string label = {}) {
@@ -97,9 +119,9 @@ class Picture {
 
   /// The SVG text.
   [[gnu::cold]] std::string svg() const {
-    if (polygons_.empty())
+    if (figures_.empty())
       throw Error(detail::joined({"strike: the Picture '", options_.title, "' shows no face: add a surface first."}));
-    const bool legend = low_ <= high_;  // some face has a value
+    const bool legend = low_ <= high_;  // something has a value
     const double low = std::isnan(options_.low) ? low_ : options_.low;
     const double high = std::isnan(options_.high) ? high_ : options_.high;
 
@@ -113,7 +135,7 @@ class Picture {
 
     detail::Svg svg;
     if (!options_.title.empty()) svg.text(margin, 46, options_.title, {.size = 21, .fill = "#1a1a1a", .weight = "600"});
-    draw_faces(svg, frame, low, high);
+    draw_figures(svg, frame, low, high);
     draw_marks(svg, frame);
     double foot = frame.top + frame.height();
     if (legend) foot = std::max(foot, draw_legend(svg, width - 138, frame.top, low, high));
@@ -125,13 +147,6 @@ class Picture {
   }
 
  private:
-  /// A face in the picture; a particle if its size is 1.
-  struct Polygon {
-    std::array<Eigen::Vector3d, 4> corners;  // projected
-    std::size_t size;
-    double depth, light, value;
-    bool plain;
-  };
   struct Mark {
     Eigen::Vector3d place;
     std::string label;
@@ -149,12 +164,12 @@ class Picture {
   };
 
   [[gnu::cold]] Frame bounds() const {
-    Eigen::Vector3d lower = polygons_[0].corners[0], upper = lower;
-    for (const Polygon& polygon : polygons_)
-      for (std::size_t i = 0; i < polygon.size; ++i) {
+    Eigen::Vector3d lower = figures_[0].corners[0], upper = lower;
+    for (const detail::Figure& figure : figures_)
+      for (std::size_t i = 0; i < figure.size; ++i) {
         for (int c = 0; c < 2; ++c) {
-          lower(c) = std::min(lower(c), polygon.corners[i](c));
-          upper(c) = std::max(upper(c), polygon.corners[i](c));
+          lower(c) = std::min(lower(c), figure.corners[i](c) - figure.radius);
+          upper(c) = std::max(upper(c), figure.corners[i](c) + figure.radius);
         }
       }
     return {lower, upper, options_.size / std::max(upper[0] - lower[0], upper[1] - lower[1])};
@@ -183,17 +198,17 @@ class Picture {
       Eigen::Vector3d normal = reflected(direction(area_vector(positions, face)), sign);
       if (sides == Sides::both && normal.dot(toward_) < 0) normal = -normal;
       if (!(normal.dot(toward_) > 1e-3)) continue;
-      Polygon polygon;
-      polygon.size = face.is_triangle() ? 3 : 4;
-      for (std::size_t i = 0; i < polygon.size; ++i)
-        polygon.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
-      polygon.depth = projected(reflected(centroid(positions, face), sign))[2];
+      Figure figure;
+      figure.size = face.is_triangle() ? 3 : 4;
+      for (std::size_t i = 0; i < figure.size; ++i)
+        figure.corners[i] = projected(reflected(positions[face.nodes[i]], sign));
+      figure.depth = projected(reflected(centroid(positions, face), sign))[2];
       // Light from the upper left behind the eye; never dark, so that colours can be compared with the legend.
       const Eigen::Vector3d lamp = direction(toward_ + 0.5 * up_ - 0.5 * right_);
-      polygon.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
-      polygon.plain = values.empty();
-      polygon.value = polygon.plain ? 0 : values[face.cell];
-      polygons_.push_back(polygon);
+      figure.light = 0.87 + 0.13 * std::max(0.0, normal.dot(lamp));
+      figure.plain = values.empty();
+      figure.value = figure.plain ? 0 : values[face.cell];
+      figures_.push_back(figure);
     }
     for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
       Eigen::Vector3d image = sign;
@@ -202,19 +217,23 @@ class Picture {
     }
   }
 
-  [[gnu::cold]] void add_particles(std::span<const Eigen::Vector3d> positions, const Eigen::Vector3d& sign,
-                                   std::size_t first_plane) {
-    for (const Eigen::Vector3d& x : positions) {
-      Polygon polygon{};
-      polygon.corners[0] = projected(reflected(x, sign));
-      polygon.size = 1;
-      polygon.depth = polygon.corners[0][2];
-      polygons_.push_back(polygon);
-    }
+  /// Adds a ball, or a dot if its radius is 0, reflected by the signs, and its images in the remaining planes of
+  /// symmetry.
+  [[gnu::cold]] void add_ball(const Eigen::Vector3d& x, double radius, const double* value, const Eigen::Vector3d& sign,
+                              std::size_t first_plane) {
+    detail::Figure figure{};
+    figure.corners[0] = projected(reflected(x, sign));
+    figure.size = 1;
+    figure.depth = figure.corners[0][2];
+    figure.light = 1;
+    figure.plain = value == nullptr;
+    figure.value = value ? *value : 0;
+    figure.radius = radius;
+    figures_.push_back(figure);
     for (std::size_t plane = first_plane; plane < options_.mirror.size(); ++plane) {
       Eigen::Vector3d image = sign;
       image[static_cast<Eigen::Index>(options_.mirror[plane])] *= -1;
-      add_particles(positions, image, plane + 1);
+      add_ball(x, radius, value, image, plane + 1);
     }
   }
 
@@ -227,35 +246,63 @@ class Picture {
     });
   }
 
-  /// Faces from the back to the front.
-  [[gnu::cold]] void draw_faces(detail::Svg& svg, const Frame& frame, double low, double high) const {
-    std::vector<const Polygon*> order;
-    for (const Polygon& polygon : polygons_) order.push_back(&polygon);
-    std::sort(order.begin(), order.end(), [](const Polygon* a, const Polygon* b) {
-      return a->depth != b->depth ? a->depth < b->depth : a < b;  // one order on every machine
-    });
+  /// A radius in hundredths of a pixel, as rounded in the file.
+  static long rounded_radius(const detail::Figure& ball, const Frame& frame) {
+    return std::lround(100 * frame.scale * ball.radius);
+  }
+  static std::string ball_name(long radius) { return "ball" + std::to_string(radius); }
+
+  /// Balls of each radius, shaded toward the rim with a highlight from where the lamp of the faces is, around the
+  /// colour of what uses them.
+  [[gnu::cold]] void define_balls(detail::Svg& svg, const Frame& frame) const {
+    std::set<long> radii;
+    for (const detail::Figure& figure : figures_)
+      if (figure.radius > 0) radii.insert(rounded_radius(figure, frame));
+    if (radii.empty()) return;
+    svg.open("defs");
+    svg.open("radialGradient", {{"id", "sphere"}, {"cx", .35}, {"cy", .33}, {"r", .7}});
+    svg.element("stop", {{"offset", 0}, {"stop-color", "#fff"}, {"stop-opacity", .55}});
+    svg.element("stop", {{"offset", .4}, {"stop-color", "#fff"}, {"stop-opacity", 0}});
+    svg.element("stop", {{"offset", .5}, {"stop-color", "#000"}, {"stop-opacity", 0}});
+    svg.element("stop", {{"offset", 1}, {"stop-color", "#000"}, {"stop-opacity", .5}});
+    svg.close();
+    for (const long radius : radii) {
+      const double r = 0.01 * static_cast<double>(radius);
+      svg.open("g", {{"id", ball_name(radius)}});
+      svg.element("circle", {{"r", r}});
+      svg.element("circle", {{"r", r}, {"fill", "url(#sphere)"}, {"stroke", "none"}});
+      svg.close();
+    }
+    svg.close();
+  }
+
+  [[gnu::cold]] void draw_figures(detail::Svg& svg, const Frame& frame, double low, double high) const {
+    const auto tenths = [](double x) { return std::round(10 * x) / 10; };
+    define_balls(svg, frame);
     svg.open("g",
              {{"stroke", "#000000"}, {"stroke-opacity", ".28"}, {"stroke-width", ".5"}, {"stroke-linejoin", "round"}});
-    for (const Polygon* polygon : order) {
-      if (polygon->size == 1) {
-        svg.element("circle", {{"cx", std::round(10 * frame.x(polygon->corners[0])) / 10},
-                               {"cy", std::round(10 * frame.y(polygon->corners[0])) / 10},
-                               {"r", 1.6},
-                               {"fill", "#ffffff"}});
+    for (const detail::Figure* figure : detail::back_to_front(figures_)) {
+      const Colour colour = figure->plain ? Colour{0.86, 0.01, 250}
+                                          : options_.colours(high > low ? (figure->value - low) / (high - low) : 0);
+      const std::string fill = colour.in_light(figure->light).hex();
+      double x = tenths(frame.x(figure->corners[0])), y = tenths(frame.y(figure->corners[0]));
+      if (figure->is_ball() && figure->radius == 0) {
+        svg.element("circle", {{"cx", x}, {"cy", y}, {"r", 1.6}, {"fill", "#ffffff"}});
         continue;
       }
-      const Colour colour = polygon->plain ? Colour{0.86, 0.01, 250}
-                                           : options_.colours(high > low ? (polygon->value - low) / (high - low) : 0);
-      std::string path;
-      double x = 0, y = 0;  // as rounded in the file, so that relative moves do not drift
-      for (std::size_t i = 0; i < polygon->size; ++i) {
-        const double next_x = std::round(10 * frame.x(polygon->corners[i])) / 10;
-        const double next_y = std::round(10 * frame.y(polygon->corners[i])) / 10;
-        path += detail::joined({i == 0 ? "M" : "l", detail::pixels(next_x - x), " ", detail::pixels(next_y - y)});
+      if (figure->is_ball()) {
+        const std::string name = "#" + ball_name(rounded_radius(*figure, frame));
+        svg.element("use", {{"href", name}, {"x", x}, {"y", y}, {"fill", fill}});
+        continue;
+      }
+      std::string path = detail::joined({"M", detail::pixels(x), " ", detail::pixels(y)});
+      for (std::size_t i = 1; i < figure->size; ++i) {  // relative to what is rounded in the file, so as not to drift
+        const double next_x = tenths(frame.x(figure->corners[i])), next_y = tenths(frame.y(figure->corners[i]));
+        path += detail::joined({"l", detail::pixels(next_x - x), " ", detail::pixels(next_y - y)});
         x = next_x;
         y = next_y;
       }
-      svg.element("path", {{"fill", colour.in_light(polygon->light).hex()}, {"d", path += 'z'}});
+      svg.element("path", {{"fill", fill}, {"d", path += 'z'}});
     }
     svg.close();
   }
@@ -305,7 +352,7 @@ class Picture {
 
   PictureOptions options_;
   Eigen::Vector3d toward_, right_, up_;
-  std::vector<Polygon> polygons_;
+  std::vector<detail::Figure> figures_;
   std::vector<Mark> marks_;
   double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
 };
