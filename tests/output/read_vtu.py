@@ -7,7 +7,8 @@ import os
 
 folder = sys.argv[1]
 HEXAHEDRA, TETRAHEDRA, QUADRILATERALS = (int(n) for n in sys.argv[2:5])
-NODES = int(sys.argv[5])
+PARTICLES = [int(n) for n in sys.argv[5].split(",")]  # the node of each
+NODES = int(sys.argv[6])
 TIMES = [0.0, 0.125, 80.0]
 failures = []
 
@@ -32,9 +33,10 @@ def cell_fields(cell):
     }
 
 
-def compare(reader, t, points, kinds, point_data, cell_data):
+def compare(reader, t, points, kinds, vertices, point_data, cell_data):
     check(f"{reader} nodes", len(points), NODES)
-    check(f"{reader} cells", kinds, [12] * HEXAHEDRA + [10] * TETRAHEDRA + [9] * QUADRILATERALS)
+    check(f"{reader} cells", kinds, [12] * HEXAHEDRA + [10] * TETRAHEDRA + [9] * QUADRILATERALS + [1] * len(PARTICLES))
+    check(f"{reader} nodes of particles", vertices, PARTICLES)
     for i, (x, y, z) in enumerate(points):
         for name, values in node_fields(x, y, z, t).items():
             check(f"{reader} {name} of node {i}", list(point_data[name][i]), values)
@@ -51,10 +53,11 @@ def with_meshio(path, t):
     import meshio
 
     mesh = meshio.read(path)
-    kind = {"hexahedron": 12, "tetra": 10, "quad": 9}
+    kind = {"hexahedron": 12, "tetra": 10, "quad": 9, "vertex": 1}
     kinds = [kind[block.type] for block in mesh.cells for _ in block.data]
     cell_data = {name: [row for block in blocks for row in rows(block)] for name, blocks in mesh.cell_data.items()}
-    compare("meshio", t, rows(mesh.points), kinds, {n: rows(a) for n, a in mesh.point_data.items()}, cell_data)
+    vertices = [int(node) for block in mesh.cells if block.type == "vertex" for (node,) in block.data]
+    compare("meshio", t, rows(mesh.points), kinds, vertices, {n: rows(a) for n, a in mesh.point_data.items()}, cell_data)
     volume = sum(abs(box_volume(mesh.points[cell])) for block in mesh.cells if block.type == "hexahedron" for cell in block.data)
     check("meshio volume of the hexahedra", volume, 1.0)
 
@@ -81,7 +84,8 @@ def with_vtk(path, t):
 
     points = [list(grid.GetPoint(i)) for i in range(grid.GetNumberOfPoints())]
     kinds = [grid.GetCellType(i) for i in range(grid.GetNumberOfCells())]
-    compare("vtk", t, points, kinds, table(grid.GetPointData()), table(grid.GetCellData()))
+    vertices = [grid.GetCell(i).GetPointId(0) for i, kind in enumerate(kinds) if kind == 1]
+    compare("vtk", t, points, kinds, vertices, table(grid.GetPointData()), table(grid.GetCellData()))
     check("vtk time", grid.GetFieldData().GetArray("TimeValue").GetTuple(0), (t,))
 
 

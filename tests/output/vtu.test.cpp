@@ -14,13 +14,15 @@ using namespace strike;
 
 namespace {
 
-/// Eight hexahedra of unit volume in all, two tetrahedra, one quadrilateral.
+/// Eight hexahedra of unit volume in all, two tetrahedra, one quadrilateral, three particles.
 Mesh mixed_mesh() {
   Mesh mesh = box({.size = {1, 1, 1}, .cells = {2, 2, 2}});
   mesh.nodes.emplace_back(3, 0, 0);
   mesh.nodes.emplace_back(3, 1, 0);
   mesh.tetrahedra = {{0, 27, 28, 26}, {0, 1, 27, 25}};
   mesh.quadrilaterals = {{2, 27, 28, 8}};
+  mesh.nodes.emplace_back(5, 1, 2);
+  mesh.particles = {{{28}, {4}, {29}}, {1, 1, 1}};
   return mesh;
 }
 
@@ -55,7 +57,7 @@ TEST_CASE("vtu: foreign readers find the counts and values that were written") {
     }
     std::vector<SymmetricTensor<double>> stress;
     std::vector<std::array<double, 9>> gradient;
-    for (int cell = 0; cell < 11; ++cell) {
+    for (int cell = 0; cell < 14; ++cell) {
       const double c = cell;
       number.push_back(c);
       stress.push_back({c, c + 1, c + 2, c + 3, c + 4, c + 5});
@@ -66,8 +68,8 @@ TEST_CASE("vtu: foreign readers find the counts and values that were written") {
   }
   const auto script = std::filesystem::path(__FILE__).parent_path() / "read_vtu.py";
   const std::string log = folder / "log";
-  const std::string command =
-      "/usr/bin/python3 '" + script.string() + "' '" + folder.path().string() + "' 8 2 1 29 > '" + log + "' 2>&1";
+  const std::string command = "/usr/bin/python3 '" + script.string() + "' '" + folder.path().string() +
+                              "' 8 2 1 28,4,29 30 > '" + log + "' 2>&1";
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   INFO(content_of(log));
