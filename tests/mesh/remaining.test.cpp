@@ -20,12 +20,12 @@ TEST_CASE("remaining: the cells that are left, their values, and the nodes of th
   CHECK_THROWS(remaining(std::vector<double>{1}, alive));
 }
 
-TEST_CASE("picture: particles are small circles, mirrored with the rest") {
+TEST_CASE("picture: nodes without elements are small circles, mirrored with the rest") {
   const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
   Picture picture{{.mirror = {Axis::x}}};
   picture.add(surface(mesh), mesh.nodes);
-  const std::vector<Eigen::Vector3d> particles{{2, 0, 0}, {3, 0, 0}};
-  picture.add_particles(particles);
+  const std::vector<Eigen::Vector3d> debris{{2, 0, 0}, {3, 0, 0}};
+  picture.add_particles(debris);
   const std::string svg = picture.svg();
   std::size_t circles = 0;
   for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++circles;
