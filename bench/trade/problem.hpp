@@ -85,6 +85,7 @@ Problem twist();
 Problem pane();
 Problem bars();
 Problem bird();
+std::vector<Problem> soft_birds();
 std::vector<Problem> bending();
 std::vector<Problem> plates_at_rest();
 

@@ -59,6 +59,7 @@ int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     std::vector<std::string> names{"all"};
     std::vector<Problem> problems{taylor(), beam(), waves(), spin(), panel(), twist(), pane(), bars(), bird()};
+    std::ranges::move(soft_birds(), std::back_inserter(problems));
     std::ranges::move(bending(), std::back_inserter(problems));
     std::ranges::move(plates_at_rest(), std::back_inserter(problems));
     for (const Problem& problem : problems) names.push_back(problem.name);

@@ -117,7 +117,8 @@ class Gauge {
     const auto& nodes = run.nodes();
     const std::size_t n = nodes.size();
     const double tau = run.time() * jet_.speed / jet_.length(), reach = 0.3 * jet_.width();
-    if (!v_.empty() && tau > from_ && tau < to_) {
+    if (tau <= from_ || tau >= to_) return;
+    if (!v_.empty()) {
       double centre = 0;
       for (std::size_t i = 0; i < n; ++i) {
         const double J = nodes.mass(i) * (nodes.v(i).z() - v_[i]) - 0.5 * (dt_ + run.dt()) * f_[i];

@@ -12,6 +12,7 @@
 #include <strike/material/elastic.hpp>
 
 #include "problems/particle_jet.hpp"
+#include "problems/plane_shock.hpp"
 #include "support/catch.hpp"
 #include "support/velocities.hpp"
 
@@ -23,19 +24,6 @@ using testing::Velocities;
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
-
-/// Behind a shock that stops matter of this speed: p, and its speed from the wall.
-struct Shock {
-  double pressure, speed;
-};
-Shock stopping(double v) {
-  double low = 0, high = 1;  // of mu; p mu/(1 + mu) = rho0 v^2
-  for (int k = 0; k < 60; ++k) {
-    const double mu = 0.5 * (low + high);
-    (water.A(mu) * mu / (1 + mu) < water.density * v * v ? low : high) = mu;
-  }
-  return {water.A(low), v / low};  // U - v, of v/U = mu/(1 + mu)
-}
 
 /// Angular momentum about the origin.
 template <class Run>
@@ -57,28 +45,10 @@ TEST_CASE("particles: a plane shock has the pressure and the speed of the jump c
   for (const double v : {100.0, 180.0, 300.0}) {
     Explicit run{Scene{mesh.nodes, Part{Particle{Smoothing{}, sides}, Fluid{water}, mesh.particles},
                        InitialVelocity{{0, 0, -v}}, RigidWall{{0, 0, 0.5}, {0, 0, 1}}}};
-    const Shock exact = stopping(v);
-    const auto layer_pressure = [&] {
-      const auto p = run.part<0>().field([](const auto& state) { return state.pressure; });
-      std::vector<double> mean(layers);
-      for (std::size_t e = 0; e < p.size(); ++e) mean[e / 16] += p[e] / 16;
-      return mean;
-    };
-    const auto front = [&] {
-      const auto p = layer_pressure();
-      std::size_t k = layers - 1;
-      while (k > 0 && p[k] < 0.5 * exact.pressure) --k;
-      const auto z = [&](std::size_t l) { return run.nodes().x(16 * l).z(); };
-      return z(k) + (p[k] - 0.5 * exact.pressure) / (p[k] - p[k + 1]) * (z(k + 1) - z(k));
-    };
-    run.until(12 / exact.speed);
-    const double first = front(), before = run.time();
-    run.until(26 / exact.speed);
-    CHECK((front() - first) / (run.time() - before) == Approx(exact.speed).epsilon(0.015));
-    const auto p = layer_pressure();
-    double mean = 0;
-    for (std::size_t k = 5; k < 20; ++k) mean += p[k] / 15;
-    CHECK(mean == Approx(exact.pressure).epsilon(0.015));
+    const plane_shock::Found found =
+        plane_shock::found(run, plane_shock::Layers(mesh.nodes, mesh.particles.cells, layers), v);
+    CHECK(found.speed == Approx(1).epsilon(0.015));
+    CHECK(found.pressure == Approx(1).epsilon(0.015));
     CHECK(std::abs(run.energy().error()) < 6e-3);
   }
 }
