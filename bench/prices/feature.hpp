@@ -138,6 +138,7 @@ Group tetrahedron_elements();
 Group plate_sections();
 Group plate_shears();
 Group plate_materials();
+Group plate_laminates();
 Group plate_elements();
 Group plate_numbers();
 

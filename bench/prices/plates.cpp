@@ -20,7 +20,26 @@ Feature of(std::string name, const M& material) {
   return plates.of_material(std::move(name), Homogeneous{material, h});
 }
 
+/// Eight plies of fibres, [0/45/-45/90]s.
+template <class P>
+Feature plies(std::string name, const P& ply) {
+  constexpr double angles[] = {0, 45, -45, 90, 90, -45, 45, 0};
+  return plates.of_material(std::move(name), Layered{LayUp{ply, h / 8, angles}, FibreDirection{{1, 0, 0}}});
+}
+
 }  // namespace
+
+Group plate_laminates() {
+  constexpr OrthotropicPly carbon{
+      .density = 1600, .E1 = 140e9, .E2 = 9e9, .nu12 = 0.3, .G12 = 5e9, .G13 = 5e9, .G23 = 3e9};
+  constexpr double Xt = 2e9, Xc = 1.2e9, Yt = 50e6, Yc = 200e6, S = 90e6;
+  return {"Plates: laminates of eight plies, two points each",
+          {plates.of_material("8 Plies of copper, for comparison", Layered{Plies{Layer{plane, h / 8, Gauss<2>{}}, 8}}),
+           plies("OrthotropicPly", carbon),
+           plies("FailingPly of MaximumStress", FailingPly{carbon, MaximumStress{Xt, Xc, Yt, Yc, S}}),
+           plies("FailingPly of Hashin", FailingPly{carbon, Hashin{Xt, Xc, Yt, Yc, S, 70e6}}),
+           plies("FailingPly of ChangChang", FailingPly{carbon, ChangChang{Xt, Xc, Yt, Yc, S}})}};
+}
 
 Group plate_sections() {
   const Layer half{plane, h / 2}, third{plane, h / 3};

@@ -108,6 +108,7 @@ thickness, drilling stiffness) of one layer with Simpson's five points, of the s
             plate_sections(),
             plate_shears(),
             plate_materials(),
+            plate_laminates(),
             plate_elements(),
             plate_numbers()}}};
 }
