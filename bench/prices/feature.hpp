@@ -8,9 +8,11 @@
 
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
+#include <strike/element/particle.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
 #include <strike/material/plane_stress.hpp>
+#include <strike/mesh/particles.hpp>
 #include <strike/mesh/tetrahedra.hpp>
 #include <strike/section/layered.hpp>
 
@@ -69,10 +71,10 @@ Feature feature(std::string name, Start start) {
 }
 
 /// What is usual, and features by what differs: the material, the element, what stands in the scene, or the policies.
-template <class E, class M, std::size_t n, class Motion>
+template <class E, class M, class Connectivity, class Motion>
 struct Usual {
   std::vector<Eigen::Vector3d> nodes;
-  Cells<n> cells;
+  Connectivity cells;
   E element;
   M material;
   Motion motion;
@@ -103,8 +105,8 @@ struct Usual {
     return feature(std::move(name), [=, this] { return started(scene(), {}, policies...); });
   }
 };
-template <class E, class M, std::size_t n, class Motion>
-Usual(std::vector<Eigen::Vector3d>, std::vector<std::array<Index, n>>, E, M, Motion) -> Usual<E, M, n, Motion>;
+template <class E, class M, class Connectivity, class Motion>
+Usual(std::vector<Eigen::Vector3d>, Connectivity, E, M, Motion) -> Usual<E, M, Connectivity, Motion>;
 
 inline const Solid copper{bench::linear, bench::hardening};
 
@@ -121,6 +123,10 @@ inline const Mesh sheet = bench::sheet({400, 250});
 inline const Usual plates{sheet.nodes, sheet.quadrilaterals, Plate4{},
                           Homogeneous{PlaneStress{copper}, bench::sheet_thickness}, bench::Stretch{}};
 
+/// 24,000 particles of water, squeezed.
+inline const Mesh drop = particles(BoxShape{.size = {0.02, 0.03, 0.04}, .cells = {20, 30, 40}});
+inline const Usual cloud{drop.nodes, drop.particles, Particle{}, bench::water, bench::Squeeze{}};
+
 // The groups, some to a file: of hexahedra, ...
 Group strengths();
 Group failures();
@@ -133,6 +139,9 @@ Group ledger();
 
 // ... of tetrahedra, ...
 Group tetrahedron_elements();
+
+// ... of particles, ...
+Group particle_choices();
 
 // ... and of plates.
 Group plate_sections();

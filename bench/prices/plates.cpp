@@ -1,3 +1,6 @@
+#include <strike/material/failing_ply.hpp>
+#include <strike/material/orthotropic_ply.hpp>
+
 #include "feature.hpp"
 
 namespace prices {

@@ -96,6 +96,15 @@ The usual is the same bar of 101 400 `Tet4{}`, a blend of their own pressure and
            {{"The usual tetrahedron", {tetrahedra.itself("the usual tetrahedron against itself")}},
             tetrahedron_elements()}},
           {R"(
+## Particles
+
+The usual is a brick of 24 000 `Particle{}` of water with `CubicEos`, squeezed; the lists of their neighbours are made
+anew as they move.
+)",
+           cloud.itself("the usual particle"),
+           cloud.cells.size(),
+           {{"The usual particle", {cloud.itself("the usual particle against itself")}}, particle_choices()}},
+          {R"(
 ## Plates
 
 The usual is a sheet of 100 000 `Plate4{}` (hourglass control, the warping of Belytschko, Wong and Chiang, constant

@@ -95,7 +95,7 @@ constexpr auto kinds = [](auto& cases) {
   cases.add("Particle, mixed", Particle{}, in<Pack<float>, double>);
 };
 
-const std::string counts = "tetrahedra; of hexahedra a sixth, of particles as many as of hexahedra or 5 % more";
+const std::string counts = "tetrahedra; of hexahedra a sixth, of particles up to a seventh more than of hexahedra";
 
 }  // namespace
 
