@@ -99,7 +99,7 @@ The usual is the same bar of 101 400 `Tet4{}`, a blend of their own pressure and
 ## Particles
 
 The usual is a brick of 24 000 `Particle{}` of water with `CubicEos`, squeezed; the lists of their neighbours are made
-anew as they move.
+anew as they move, and are not among the bytes.
 )",
            cloud.itself("the usual particle"),
            cloud.cells.size(),
