@@ -125,6 +125,14 @@ TEST_CASE("conformance: wrong numbers of particles are refused") {
     return goes_on(Explicit{Scene{balls.nodes, Part{particle, rubber, balls.particles}, InitialVelocity{up, {1, 2}}},
                             coarse, in<double>});
   });
+  const Particles debris = particles_at_nodes(block.nodes, block.hexahedra);
+  const Debris born{.of = 0, .erosion = {.volume = .1, .step = 1e-9}};
+  testing::refuses_wrong_numbers(born, tried, [&](Debris changed) {
+    changed.of = 0;  // a part that is not there is refused when the run begins
+    return goes_on(Explicit{Scene{block.nodes, Part{Hex8{}, rubber, block.hexahedra, Erosion{.strain = 3}},
+                                  Part{Particle{}, rubber, debris, changed}, InitialVelocity{up, head}},
+                            coarse, in<double>});
+  });
   tried.print("particles");
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,13 +12,13 @@
 #include <strike/dynamics/elements.hpp>
 #include <strike/dynamics/mirror_images.hpp>
 #include <strike/dynamics/neighbours.hpp>
+#include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/patches.hpp>
+#include <strike/dynamics/seen_particle.hpp>
 #include <strike/element/particle.hpp>
-#include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/scalar/scalar.hpp>
-#include <strike/text.hpp>
 
 namespace strike::detail {
 
@@ -27,22 +28,24 @@ namespace strike::detail {
 template <class T, std::size_t width = lanes<T>>
 class Cloud {
   using Real = LaneOf<T>;
+  using Seen = SeenParticle<Real>;
+  using Answer = SeenAnswer<Real>;
+  using Self = ParticleBlock<T>;
 
  public:
   Cloud() = default;
   template <class All>
   Cloud(const All& elements, const std::vector<double>& volumes) : count_(elements.size) {
-    check_volumes(elements, volumes);
-    if constexpr (requires { elements.removal.strain; } && !All::measures_strain)
-      if (std::isfinite(elements.removal.strain))
-        throw Error(joined({"strike: the particles of part ", std::to_string(elements.number),
-                            " have no plastic strain by which Erosion{.strain = ", text(elements.removal.strain),
-                            "} could delete them; limit them by .volume or .step."}));
-    spacing_ = std::cbrt(*std::max_element(volumes.begin(), volumes.end()));
-    kernel_ = {elements.element.smoothing.length * spacing_};
+    check_particles(elements, volumes);
     images_ = MirrorImages(elements.element.mirrors);
-    images_.check_gaps(kernel_.reach() + skin(), elements.number);
     at_.resize(count_);
+    set_spacing(elements, std::cbrt(*std::max_element(volumes.begin(), volumes.end())));
+  }
+  template <class All>
+  void set_spacing(const All& elements, double spacing) {
+    spacing_ = spacing;
+    kernel_ = {elements.element.smoothing.length * spacing};
+    images_.check_gaps(kernel_.reach() + skin(), elements.number);
   }
   double spacing() const { return spacing_; }
 
@@ -73,7 +76,7 @@ class Cloud {
   void gather(const All& elements, const Nodes& nodes, const Execution& execution) {
     for_each_chunk(execution, count_, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t p = first; p < last; ++p)
-        at_[p] = nodes.x(nodes.number(place(elements, p))).template cast<double>();
+        at_[p] = is_there(elements, p) ? nodes.x(nodes.number(place(elements, p))).template cast<double>() : nowhere;
     });
     if (has_moved(execution)) found_at_ = at_, is_found_ = false;
     if (!is_found_) find(execution);
@@ -83,10 +86,12 @@ class Cloud {
       for (std::size_t p = first; p < last; ++p) {
         const auto& block = elements.blocks[p / width];
         const std::size_t l = p % width;
-        const auto v = nodes.v(nodes.number(place(elements, p)));
+        const Index node = nodes.number(place(elements, p));
+        const Eigen::Vector3d x = nodes.x(node).template cast<double>();
+        const auto v = nodes.v(node);
         Seen& seen = particles_[p];
         for (int c = 0; c < 3; ++c) {
-          seen.x[c] = static_cast<Real>(at_[p](c) - origin_(c));
+          seen.x[c] = static_cast<Real>(x(c) - origin_(c));
           seen.v[c] = static_cast<Real>(v(c));
         }
         seen.weight = lane(block.state.reference_volume, l);
@@ -108,33 +113,42 @@ class Cloud {
     LanesOfOutcome<T> sum;
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
       auto& block = elements.blocks[b];
-      const Self self(*this, b, elements.count(b));
+      if constexpr (All::erodes)
+        if (!any(block.removal.alive > 0.0)) {
+          near_[b].clear();
+          continue;
+        }
+      const Self self = in_block(b, elements.count(b));
       ParticleSums<T> sums;
       for (const Index j : near(b, self)) {
         const Seen& there = particles_[j];
-        const Vector3<T> d = difference(there.x, self.x);
-        sums.add(d, T(there.weight) * kernel_.slope(sqrt(dot(d, d))), difference(there.v, self.v));
+        const Vector3<T> d = Self::difference(there.x, self.x);
+        sums.add(d, T(there.weight) * kernel_.slope(sqrt(dot(d, d))), Self::difference(there.v, self.v));
       }
       sums *= T(kernel_.factor());
       using State = typename All::State;
       State state = block.state;
-      ParticleStep<T> step = elements.element.advance(state, elements.material, sums, kernel_, dt);
+      ParticleStep<T> step = elements.element.advance(state, elements.material, sums, kernel_, dt, fill(elements, b));
       auto& response = step.response;
       auto& answer = step.answer;
       if constexpr (All::erodes) {
         Nodal<T, 1> x;
         set_column(x, 0, self.x);
+        if constexpr (All::is_born)  // the elements from which it comes have done their half of the work
+          response.internal_work -= std::exchange(block.birth.fresh, T(0.0)) *
+                                    (response.internal_work + response.bulk_viscosity_work - step.end_work);
         erode(elements, b, state, x, dt, response, outcome.deletions, [&] { return step.end_work; });
       } else {
         block.state = state;
       }
       for (std::size_t l = 0; l < elements.count(b); ++l) {
         Answer& told = answers_[b * width + l];
-        for (int i = 0; i < 9; ++i) told.stress[i] = lane(answer.stress(i), l);
-        const SymmetricTensor<T>& D = answer.half_rate;
-        const Real rate[] = {lane(D.xx, l), lane(D.yy, l), lane(D.zz, l), lane(D.xy, l), lane(D.yz, l), lane(D.zx, l)};
-        std::copy(std::begin(rate), std::end(rate), told.rate);
-        told.impedance = lane(answer.impedance, l);
+        if constexpr (All::erodes)
+          if (!(lane(block.removal.alive, l) > 0)) {
+            told = {};
+            continue;
+          }
+        told.take(answer, l);
       }
       sum.add(T(static_cast<double>(b - patch.first_block)), response, response.critical_rate,
               b + 1 < elements.blocks.size() ? T(1.0) : elements.busy());
@@ -163,20 +177,20 @@ class Cloud {
     T hourglass_work = T(0.0);
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
       auto& block = elements.blocks[b];
-      const Self self(*this, b, elements.count(b));
+      if (near_[b].empty() && !any(dot(block.state.hourglass, block.state.hourglass) > 0.0)) continue;
+      const Self self = in_block(b, elements.count(b));
       ParticleAnswer<T> here;
       for (std::size_t l = 0; l < width; ++l) {
-        const Answer& own = answers_[b * width + std::min(l, elements.count(b) - 1)];
-        set_lanes(here, l, own);
+        answers_[b * width + std::min(l, elements.count(b) - 1)].give(here, l);
       }
       ParticleForces<T> forces;
       for (const Index j : near_[b]) {
         const Seen& at = particles_[j];
         const Answer& there = answers_[j];
-        const Vector3<T> d = difference(at.x, self.x);
+        const Vector3<T> d = Self::difference(at.x, self.x);
         const T square = dot(d, d);
-        forces.add(d, square, T(at.weight) * kernel_.slope(sqrt(square)), difference(at.v, self.v),
-                   T(at.density) - self.density, here, answer_of(there));
+        forces.add(d, square, T(at.weight) * kernel_.slope(sqrt(square)), Self::difference(at.v, self.v),
+                   T(at.density) - self.density, here, there.template in_lanes<T>());
       }
       forces *= T(kernel_.factor());
       T work = T(0.0);
@@ -188,41 +202,6 @@ class Cloud {
     outcome.hourglass_work += static_cast<double>(reduce_sum(hourglass_work));
   }
 
-  /// Errors: a particle without a volume, or with one that is not positive.
-  template <class All>
-  [[gnu::cold]] static void check_volumes(const All& elements, const std::vector<double>& volumes) {
-    const std::string part = std::to_string(elements.number);
-    if (volumes.size() != elements.size)
-      throw Error(joined({"strike: part ", part, " has ", std::to_string(elements.size), " particles, but ",
-                          std::to_string(volumes.size()), " volumes; give one for each."}));
-    for (std::size_t e = 0; e < volumes.size(); ++e)
-      if (!(volumes[e] > 0 && std::isfinite(volumes[e])))
-        throw Error(joined({"strike: particle ", std::to_string(e), " of part ", part, " has the volume ",
-                            text(volumes[e]), "; it must be positive and finite."}));
-  }
-
-  /// A particle as its neighbours see it: position less the origin, velocity, reference volume, 0 if it had been
-  /// deleted before the step, and relative density.
-  struct Seen {
-    Real x[3], weight, v[3], density;
-  };
-  /// ParticleAnswer of one particle.
-  struct Answer {
-    Real stress[9], rate[6], impedance;
-  };
-  /// The particles of a block; idle lanes repeat the last.
-  struct Self {
-    Vector3<T> x, v;
-    T density, weight;
-
-    Self(const Cloud& cloud, std::size_t b, std::size_t count) {
-      for (std::size_t l = 0; l < width; ++l) {
-        const Seen& seen = cloud.particles_[b * width + std::min(l, count - 1)];
-        for (int c = 0; c < 3; ++c) set_lane(x(c), l, seen.x[c]), set_lane(v(c), l, seen.v[c]);
-        set_lane(density, l, seen.density), set_lane(weight, l, seen.weight);
-      }
-    }
-  };
   /// Of those near a block when they were last found, those that are now.
   const std::vector<Index>& near(std::size_t b, const Self& self) {
     const std::vector<Index>& found = neighbours_.of(b);
@@ -233,57 +212,64 @@ class Cloud {
     const T square = T(kernel_.reach() * kernel_.reach());
     std::size_t count = 0;
     for (const Index j : found) {
-      const Vector3<T> d = difference(particles_[j].x, self.x);
+      const Vector3<T> d = Self::difference(particles_[j].x, self.x);
       near[count] = j;
       count += any(dot(d, d) < square);
     }
     near.resize(count);
     return near;
   }
-  static Vector3<T> difference(const Real* there, const Vector3<T>& here) {
-    return {T(there[0]) - here(0), T(there[1]) - here(1), T(there[2]) - here(2)};
+  /// The shares of the cube of the spacing that the particles of a block fill in the whole body: those on mirrors have
+  /// halves or quarters of their volumes.
+  template <class All>
+  T fill([[maybe_unused]] const All& elements, [[maybe_unused]] std::size_t b) const {
+    T share = T(1.0);
+    if constexpr (All::is_born)
+      for (std::size_t l = 0; l < elements.count(b); ++l)
+        set_lane(share, l,
+                 std::min(Real(1), static_cast<Real>(images_.here(b * width + l) / std::pow(spacing_, 3)) *
+                                       lane(elements.blocks[b].state.reference_volume, l)));
+    return share;
   }
-  static ParticleAnswer<T> answer_of(const Answer& a) {
-    ParticleAnswer<T> answer;
-    for (int i = 0; i < 9; ++i) answer.stress(i) = T(a.stress[i]);
-    answer.half_rate = {T(a.rate[0]), T(a.rate[1]), T(a.rate[2]), T(a.rate[3]), T(a.rate[4]), T(a.rate[5])};
-    answer.impedance = T(a.impedance);
-    return answer;
-  }
-  static void set_lanes(ParticleAnswer<T>& answer, std::size_t l, const Answer& a) {
-    for (int i = 0; i < 9; ++i) set_lane(answer.stress(i), l, a.stress[i]);
-    SymmetricTensor<T>& D = answer.half_rate;
-    set_lane(D.xx, l, a.rate[0]), set_lane(D.yy, l, a.rate[1]), set_lane(D.zz, l, a.rate[2]);
-    set_lane(D.xy, l, a.rate[3]), set_lane(D.yz, l, a.rate[4]), set_lane(D.zx, l, a.rate[5]);
-    set_lane(answer.impedance, l, a.impedance);
-  }
-
+  Self in_block(std::size_t b, std::size_t count) const { return Self({particles_.data() + b * width, count}); }
   template <class All>
   static std::size_t place(const All& elements, std::size_t p) {
     return elements.blocks[p / width].nodes[0][p % width];
   }
+  template <class All>
+  static bool is_there([[maybe_unused]] const All& elements, [[maybe_unused]] std::size_t p) {
+    if constexpr (All::erodes)
+      return lane(elements.blocks[p / width].removal.alive, p % width) > 0;
+    else
+      return true;
+  }
 
-  /// Some have moved by more than half the skin since their neighbours were found, less their common motion along the
-  /// mirrors.
+  /// Some have come, or moved by more than half the skin since their neighbours were found, less their common motion
+  /// along the mirrors.
   template <class Execution>
   bool has_moved(const Execution& execution) const {
     if (found_at_.size() != count_) return true;
-    std::vector<Eigen::Vector3d> sums(chunks(count_), Eigen::Vector3d::Zero());
+    const auto moved = [&](std::size_t p) { return Eigen::Vector3d(at_[p] - found_at_[p]); };
+    std::vector<std::pair<Eigen::Vector3d, double>> sums(chunks(count_), {Eigen::Vector3d::Zero(), 0.0});
     for_each_chunk(execution, count_, [&](std::size_t k, std::size_t first, std::size_t last) {
-      for (std::size_t p = first; p < last; ++p) sums[k] += at_[p] - found_at_[p];
+      for (std::size_t p = first; p < last; ++p)
+        if (at_[p].allFinite() && found_at_[p].allFinite()) sums[k].first += moved(p), sums[k].second += 1;
     });
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& sum : sums) mean += sum / static_cast<double>(count_);
-    mean = images_.along(mean);
+    double there = 1e-30;
+    for (const auto& [sum, count] : sums) mean += sum, there += count;
+    mean = images_.along(Eigen::Vector3d(mean / there));
     std::vector<double> most(sums.size());
     for_each_chunk(execution, count_, [&](std::size_t k, std::size_t first, std::size_t last) {
       for (std::size_t p = first; p < last; ++p)
-        most[k] = std::max(most[k], (at_[p] - found_at_[p] - mean).squaredNorm());
+        if (at_[p].allFinite()) most[k] = std::max(most[k], (moved(p) - mean).squaredNorm());
     });
     const double most_of_all = *std::max_element(most.begin(), most.end());
     return !(4 * most_of_all < skin() * skin());
   }
   double skin() const { return 0.5 * spacing_; }
+  /// The place of particles that are absent, near to none.
+  static inline const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
 
   /// Finds images and neighbours.
   template <class Execution>
@@ -291,12 +277,14 @@ class Cloud {
     is_found_ = true;
     origin_.setZero();
     if constexpr (sizeof(RealOf<T>) < sizeof(double)) {
-      for (const Eigen::Vector3d& x : found_at_) origin_ += x;
-      origin_ *= 1 / static_cast<double>(count_);
+      double there = 1e-30;
+      for (const Eigen::Vector3d& x : found_at_)
+        if (x.allFinite()) origin_ += x, there += 1;
+      origin_ *= 1 / there;
     }
     const double reach = kernel_.reach() + skin();
     std::vector<Eigen::Vector3d> all = found_at_;
-    images_.find(all, reach);
+    images_.find(all, reach, 1e-6 * spacing_);
     neighbours_.find(all, count_, reach, execution);
     near_.resize((count_ + width - 1) / width);
   }

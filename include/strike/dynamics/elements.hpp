@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <string>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/dynamics/debris.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/removal.hpp>
 #include <strike/element/element.hpp>
@@ -78,6 +80,7 @@ struct Elements {
   static constexpr bool erodes = !std::same_as<Removal, NoErosion>;
   static constexpr bool has_geometry = needs_geometric_strain<Removal, M, E::nodes>();
   static constexpr bool measures_strain = has_geometry || has_plastic_strain<M>();
+  static constexpr bool is_born = strike::detail::is_born<Removal>;
   static constexpr bool averages_volume = requires { requires E::averages_volume; };
   using State = typename E::template State<M, T>;
   /// Elements of such a part may give no force any more.
@@ -88,6 +91,7 @@ struct Elements {
     BlockNodes<n, width> nodes;
     State state;
     [[no_unique_address]] std::conditional_t<erodes, RemovalState<T, has_geometry>, Nothing> removal{};
+    [[no_unique_address]] std::conditional_t<is_born, Birth<T>, Nothing> birth{};
   };
 
   E element;
@@ -136,6 +140,33 @@ struct Elements {
     for (const Index i : cell(nodes, place)) sum += nodes.x(i).template cast<double>();
     return joined({"element ", std::to_string(order[place]), " of part ", std::to_string(number), " at ",
                    text(Eigen::Vector3d((1.0 / static_cast<double>(n)) * sum))});
+  }
+
+  /// The same of the first element whose state is NaN; empty: there is none.
+  template <class N>
+  [[gnu::cold]] std::string describe_nan(const N& nodes) const {
+    for (std::size_t place = 0; place < size; ++place) {
+      bool is_nan = false;
+      const auto look = [&](const auto& numbers) {
+        for (const T& one : numbers_of<T>(numbers))
+          is_nan = is_nan || std::isnan(static_cast<double>(lane(one, place % width)));
+      };
+      const State& state = blocks[place / width].state;
+      if constexpr (std::is_trivially_destructible_v<State>)
+        look(state);
+      else  // a list of points
+        state.each_point(look);
+      if (is_nan) return describe(nodes, place);
+    }
+    return {};
+  }
+  /// By the numbers of the elements, false if deleted.
+  std::vector<bool> alive() const {
+    std::vector<bool> alive(size, true);
+    if constexpr (erodes)
+      for (std::size_t b = 0; b < blocks.size(); ++b)
+        for (std::size_t l = 0; l < count(b); ++l) alive[order[b * width + l]] = lane(blocks[b].removal.alive, l) > 0;
+    return alive;
   }
 
   /// A value per element by its number, the mean over the points that visit(state, add) adds as f(point). Error: it

@@ -252,6 +252,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     const StableStep before = std::exchange(stable_, {});
     this->each([&](auto& part) {
       if constexpr (is_running_part<decltype(part)>) {
+        this->take_debris(part, step_.dt, ledger_);
         StableStep mine;
         try {
           mine = cycle_.compute_forces(part, this->nodes_, step_.dt, ledger_, execution_);
@@ -266,8 +267,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     bound_.extend(stable_, this->nodes_, this->items_, execution_);
     stable_.of_elements = stable_.dt;
     this->each([&](auto& item) {
-      using Item = decltype(item);
-      if constexpr (detail::answers<detail::item::StableStep, Item, double, const Nodes>)
+      if constexpr (detail::answers<detail::item::StableStep, decltype(item), double, const Nodes>)
         stable_.dt = detail::item::StableStep::call(item, stable_.dt, std::as_const(this->nodes_));
     });
     if (!cycle_.is_complete()) stable_ = before;

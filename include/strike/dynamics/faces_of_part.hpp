@@ -23,7 +23,7 @@ PartFaces faces_of(const Part& part, const Nodes& nodes) {
       append_faces(known.faces, part.cells(nodes), tetrahedron_faces, 0);
     }
   }
-  if constexpr (Part::sees_neighbours) {
+  if constexpr (Part::sees_neighbours && !Part::is_born) {  // which are the nodes of other cells
     known.thickness = part.spacing();
     for (const auto& [node] : part.cells(nodes)) known.particles.push_back(node);
   }

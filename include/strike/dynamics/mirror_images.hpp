@@ -37,20 +37,27 @@ class MirrorImages {
   /// Number of the point or image that image k is of; points are counted first.
   Index of(std::size_t k) const { return images_[k].of; }
 
-  /// Appends to points the images that are within `reach` of a point.
-  void find(std::vector<Eigen::Vector3d>& points, double reach) {
+  /// How many of a point and its images are where it is.
+  double here(std::size_t point) const { return here_[point]; }
+
+  /// Appends to points the images that are within `reach` of a point; those at infinity have none. Points within
+  /// `on_plane` of a plane are on it.
+  void find(std::vector<Eigen::Vector3d>& points, double reach, double on_plane = 0) {
     images_.clear();
+    here_.assign(points.size(), 1);
     for (std::size_t k = 0; k < planes_.size(); ++k) {
       const Plane& plane = planes_[k];
       const auto height = [&](std::size_t j) { return plane.normal.dot(points[j] - plane.point); };
       double least = 0, most = 0;  // points may be on either side
-      for (std::size_t j = 0; j < points.size(); ++j) {
-        least = std::min(least, height(j));
-        most = std::max(most, height(j));
-      }
+      for (std::size_t j = 0; j < points.size(); ++j)
+        if (points[j].allFinite()) {
+          least = std::min(least, height(j));
+          most = std::max(most, height(j));
+        }
       const double depth = std::min(-least, most);
       for (std::size_t j = 0, last = points.size(); j < last; ++j)
         if (const double a = height(j); std::abs(a) <= reach + depth) {
+          if (j < here_.size() && std::abs(a) <= on_plane) here_[j] *= 2;
           images_.push_back({static_cast<Index>(j), static_cast<Index>(k)});
           points.push_back(points[j] - 2 * a * plane.normal);
         }
@@ -95,6 +102,7 @@ class MirrorImages {
 
   std::vector<Plane> planes_;
   std::vector<Image> images_;
+  std::vector<double> here_;
 };
 
 }  // namespace strike::detail

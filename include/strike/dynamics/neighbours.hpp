@@ -19,6 +19,9 @@ struct Box {
 
   void add(const Box& more) { low = low.min(more.low), high = high.max(more.high); }
   void add(const Eigen::Vector3d& x) { low = low.min(x.array()), high = high.max(x.array()); }
+  void add_finite(const Eigen::Vector3d& x) {
+    if (x.allFinite()) add(x);
+  }
   /// The square of the gap between two boxes.
   double squared_gap(const Box& other) const {
     return (low - other.high).max(other.low - high).max(0.0).square().sum();
@@ -27,7 +30,7 @@ struct Box {
 
 /// The points near each group of `width` points, in ascending order: found in a tree of boxes over the points as they
 /// lie in memory, neighbours together, eight to a box. Takes time proportional to the number of points and of those
-/// found; points that have mixed take longer, and none is missed.
+/// found; points that have mixed take longer, and none is missed. Points at infinity are near to none.
 template <std::size_t width>
 class Neighbours {
  public:
@@ -48,7 +51,7 @@ class Neighbours {
   void build(std::span<const Eigen::Vector3d> x) {
     levels_.resize(1);
     levels_[0].assign((x.size() + arity - 1) / arity, Box{});
-    for (std::size_t j = 0; j < x.size(); ++j) levels_[0][j / arity].add(x[j]);
+    for (std::size_t j = 0; j < x.size(); ++j) levels_[0][j / arity].add_finite(x[j]);
     while (levels_.back().size() > 1) {
       const std::vector<Box>& below = levels_.back();
       std::vector<Box> level((below.size() + arity - 1) / arity);
@@ -61,7 +64,7 @@ class Neighbours {
     Group points;
     for (std::size_t l = 0; l < width; ++l) {
       const Eigen::Vector3d& at = x[std::min(group * width + l, last - 1)];
-      box.add(at);
+      box.add_finite(at);
       for (std::size_t c = 0; c < 3; ++c) points[c][l] = at(static_cast<Eigen::Index>(c));
     }
     lists_[group].clear();

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <strike/dynamics/debris.hpp>
 #include <strike/dynamics/erosion.hpp>
 #include <strike/dynamics/removal.hpp>
 #include <strike/element/element.hpp>
@@ -34,6 +35,7 @@ enum class Flaw {
   fibres,
   material_members,
   element_members,
+  debris,
   keeps,
   removal
 };
@@ -56,6 +58,8 @@ constexpr Flaw flaw() {
     return Flaw::material_members;
   else if constexpr (!sees_neighbours<E>() && !Element<E, M>)
     return Flaw::element_members;
+  else if constexpr (is_born<Removal> && !sees_neighbours<E>())
+    return Flaw::debris;
   else if constexpr (std::same_as<Removal, NoErosion> || RemovalLaw<Removal, E, M>)
     return Flaw::none;
   else if constexpr (HasName<Keeps, Removal>)
@@ -114,6 +118,9 @@ struct Part {
       flaw != detail::Flaw::element_members,
       "strike: this element lacks one of State<M, T>, begin(state, material, x) and advance(state, material, x, v, "
       "dt), or it returns another type; see strike/element/element.hpp.");
+  static_assert(flaw != detail::Flaw::debris,
+                "strike: Debris is the law of a part of particles: Part{Particle{}, material, "
+                "particles_at_nodes(nodes, cells), Debris{.of = 0}}.");
   static_assert(
       flaw != detail::Flaw::keeps,
       "strike: keeps of a removal law is called as keeps(state, element) and returns a comparison, true where "

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -167,6 +168,31 @@ void check_direction(const Elements& elements, const N& nodes, std::size_t place
       throw Error(joined({"strike: ", elements.describe(nodes, place),
                           " is normal to the FibreDirection of its section, so that its fibres have no direction; "
                           "choose another, or give such plates a part of their own."}));
+}
+
+/// Errors: a particle without a volume, or with one that is not positive; a strain by which those that have none are to
+/// be deleted.
+template <class Elements>
+[[gnu::cold]] void check_particles(const Elements& elements, const std::vector<double>& volumes) {
+  const std::string part = std::to_string(elements.number);
+  if (volumes.size() != elements.size)
+    throw Error(joined({"strike: part ", part, " has ", std::to_string(elements.size), " particles, but ",
+                        std::to_string(volumes.size()), " volumes; give one for each."}));
+  for (std::size_t e = 0; e < volumes.size(); ++e)
+    if (!(volumes[e] > 0 && std::isfinite(volumes[e])))
+      throw Error(joined({"strike: particle ", std::to_string(e), " of part ", part, " has the volume ",
+                          text(volumes[e]), "; it must be positive and finite."}));
+  const auto check_strain = [&](const auto& law) {
+    if constexpr (requires { law.strain; } && !Elements::measures_strain)
+      if (std::isfinite(law.strain))
+        throw Error(joined({"strike: the particles of part ", part,
+                            " have no plastic strain by which Erosion{.strain = ", text(law.strain),
+                            "} could delete them; limit them by .volume or .step."}));
+  };
+  if constexpr (Elements::is_born)
+    check_strain(elements.removal.erosion);
+  else
+    check_strain(elements.removal);
 }
 
 [[noreturn, gnu::cold, gnu::noinline]] inline void explain_inversion(const std::string& element, double volume) {

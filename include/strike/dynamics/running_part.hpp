@@ -10,6 +10,7 @@
 
 #include <strike/dynamics/advance.hpp>
 #include <strike/dynamics/cloud.hpp>
+#include <strike/dynamics/debris.hpp>
 #include <strike/dynamics/elements.hpp>
 #include <strike/dynamics/mass_scaling.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
@@ -33,7 +34,7 @@ class RunningPart {
  public:
   static constexpr std::size_t n = Elements::n, width = Elements::width;
   static constexpr bool erodes = Elements::erodes, averages_volume = Elements::averages_volume,
-                        sees_neighbours = strike::sees_neighbours<E>();
+                        sees_neighbours = strike::sees_neighbours<E>(), is_born = Elements::is_born;
   using Element = E;
   using Number = T;
   using State = typename Elements::State;
@@ -52,6 +53,7 @@ class RunningPart {
       patches_.load(patches_[p], nodes);
       for (std::size_t b = patches_[p].first_block; b < patches_[p].last_block; ++b) begin(b, nodes, part.cells);
     }
+    if constexpr (is_born) births_.begin(elements_, nodes);
     if constexpr (averages_volume) {
       volume_ = Volume(nodes.places());
       sum_volumes(nodes, [](std::size_t patches, const auto& f) {
@@ -86,6 +88,23 @@ class RunningPart {
       });
     patches_.store_ghosts(nodes, execution);
     return book(nodes, ledger);
+  }
+
+  /// Of Debris: the number of the part that erodes.
+  std::size_t source() const
+    requires is_born
+  {
+    return elements_.removal.of;
+  }
+  /// Prepares to take the elements that another part will lose. Errors: they cannot become particles.
+  template <class Source>
+  void follow(const Source& source, const Nodes& nodes) {
+    cloud_.set_spacing(elements_, births_.follow(elements_, source, nodes));
+  }
+  /// Takes those that it has lost in the step dt.
+  template <class Source>
+  void take(const Source& source, const Nodes& nodes, double dt, Ledger& ledger) {
+    births_.take(elements_, source, nodes, dt, ledger);
   }
 
   /// Sentences about the material, scaled mass, thick or thin plates and deleted elements, one after the other; empty:
@@ -125,14 +144,7 @@ class RunningPart {
   /// Number of elements that the last step has deleted; 0 of a part without a removal law.
   std::size_t newly_deleted() const { return newly_deleted_.count; }
   /// By the numbers of the elements, false if deleted.
-  std::vector<bool> alive() const {
-    std::vector<bool> alive(size(), true);
-    if constexpr (erodes)
-      for (std::size_t b = 0; b < blocks().size(); ++b)
-        for (std::size_t l = 0; l < count(b); ++l)
-          alive[elements_.order[b * width + l]] = lane(blocks()[b].removal.alive, l) > 0;
-    return alive;
-  }
+  std::vector<bool> alive() const { return elements_.alive(); }
   /// The internal energy of the material at rest, such as that of a gas under pressure.
   double stored_energy() const { return detail::stored_energy(material(), mass_); }
   /// The place of the part among those of the scene, from 0.
@@ -178,22 +190,7 @@ class RunningPart {
   }
 
   /// The same of the first element whose state is NaN; empty: there is none.
-  [[gnu::cold]] std::string describe_nan(const Nodes& nodes) const {
-    for (std::size_t place = 0; place < size(); ++place) {
-      bool is_nan = false;
-      const auto look = [&](const auto& numbers) {
-        for (const T& number : numbers_of<T>(numbers))
-          is_nan = is_nan || std::isnan(static_cast<double>(lane(number, place % width)));
-      };
-      const State& state = blocks()[place / width].state;
-      if constexpr (std::is_trivially_destructible_v<State>)
-        look(state);
-      else  // a list of points
-        state.each_point(look);
-      if (is_nan) return elements_.describe(nodes, place);
-    }
-    return {};
-  }
+  std::string describe_nan(const Nodes& nodes) const { return elements_.describe_nan(nodes); }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -203,7 +200,7 @@ class RunningPart {
       visit_numbers<T>(block.state, block.state, [&](auto numbers, auto) { archive(numbers); });
       if constexpr (erodes) archive(numbers_of<T>(block.removal));
     }
-    archive(volume_, cloud_, newly_deleted_, deletions_);
+    archive(volume_, cloud_, births_, newly_deleted_, deletions_);
   }
 
  private:
@@ -231,13 +228,14 @@ class RunningPart {
     const Nodal<T, E::nodes> x = gather<T, n>(nodes.motion().position, block.nodes);
     const auto given = [&] {
       if constexpr (sees_neighbours)
-        return element().begin(block.state, material(), x, elements_.in_lanes(b, cells.volumes));
+        return element().begin(block.state, material(), x, is_born ? T(0.0) : elements_.in_lanes(b, cells.volumes));
       else
         return (void)cells, element().begin(block.state, material(), x);
     }();
     const T mass = mass_of(given);
     T own = mass;
     if constexpr (scales_mass) own = mass / block.state.mass_factor;
+    if constexpr (is_born) block.removal.alive = T(0.0);
     if constexpr (erodes) block.removal.energy = detail::stored_energy(material(), T(T(static_cast<double>(n)) * own));
     if constexpr (Elements::has_geometry)
       block.removal.reference.inverse = detail::inverse_of_columns(detail::element_axes<E, T>(x));
@@ -247,7 +245,7 @@ class RunningPart {
       const std::array<Index, n> cell = elements_.cell(nodes, place);
       detail::check_cell(elements_, nodes, place, cell, well_shaped);
       proportions_.add(elements_.order[place], nodes, cell, material());
-      detail::check_mass(elements_, nodes, place, static_cast<double>(lane(mass, l)));
+      if constexpr (!is_born) detail::check_mass(elements_, nodes, place, static_cast<double>(lane(mass, l)));
       detail::check_direction(elements_, nodes, place, block.state, l);
       for (const Index i : cell) {
         nodes.add_mass(i, static_cast<double>(lane(mass, l)));
@@ -312,6 +310,7 @@ class RunningPart {
   [[no_unique_address]] std::conditional_t<scales_mass, detail::ScaledMass, NothingScaled> scaled_;
   [[no_unique_address]] Volume volume_;
   [[no_unique_address]] std::conditional_t<sees_neighbours, detail::Cloud<T>, Nothing> cloud_;
+  [[no_unique_address]] std::conditional_t<is_born, detail::Births, Nothing> births_;
   [[no_unique_address]] detail::PlateProportions<E, M> proportions_;
   detail::Deletions newly_deleted_{}, deletions_{};
 };

@@ -129,6 +129,8 @@ class RunningScene {
   }
 
  protected:
+  template <class Item>
+  static constexpr bool is_debris = requires { requires std::remove_cvref_t<Item>::is_born; };
   using RunningItems = std::tuple<typename RunningItem<Items, Method, Nodes>::type...>;
 
   RunningScene(Scene<Items...>& scene, Arrangement arrangement)
@@ -155,9 +157,38 @@ class RunningScene {
     std::vector<PartFaces> parts;
     if constexpr ((item::Begin::takes_parts<Items, Nodes> || ...))
       each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
+    begin_debris();
     const std::span<const PartFaces> all(parts);
     each([&](auto& item) { call_if_present<item::Begin>(item, nodes_, all); });
     check_start(nodes_);
+  }
+  /// Errors: debris of a part that is not before it, that has debris already, or whose elements cannot become
+  /// particles.
+  void begin_debris() {
+    std::vector<std::size_t> sources;
+    each([&](auto& part) {
+      if constexpr (is_debris<decltype(part)>) {
+        const std::size_t of = part.source();
+        const auto refuse = [&](const char* why) {
+          throw Error(joined({"strike: part ", std::to_string(part.number()), " is Debris of part ", std::to_string(of),
+                              ", which ", why}));
+        };
+        if (of >= part.number()) refuse("is not before it in the scene; put it there.");
+        if (std::count(sources.begin(), sources.end(), of) > 0) refuse("has debris already; give a part one debris.");
+        sources.push_back(of);
+        each_part([&](const auto& source) {
+          if (source.number() == of) part.follow(source, nodes_);
+        });
+      }
+    });
+  }
+  /// Gives debris the elements that its source has lost in the step dt.
+  template <class P>
+  void take_debris(P& part, double dt, Ledger& ledger) {
+    if constexpr (is_debris<P>)
+      each_part([&](const auto& source) {
+        if (source.number() == part.source()) part.take(source, nodes_, dt, ledger);
+      });
   }
   /// Tells the items which elements the last step has deleted.
   void remove_deleted() {

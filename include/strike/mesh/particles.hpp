@@ -251,4 +251,29 @@ inline Mesh particles(const Mesh& body, double spacing) {
   return sharing(std::move(nodes), spacing, is_solid ? volume(solid) : std::abs(closed.volume()));
 }
 
+/// A particle at each node of some hexahedra or tetrahedra, in the order in which these name them, with its share of
+/// their volumes: what Debris makes of them. The positions are those of all nodes.
+template <std::size_t n>
+  requires(n == 8 || n == 4)
+Particles particles_at_nodes(std::span<const Eigen::Vector3d> nodes, const Cells<n>& cells) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> particle(nodes.size(), none);
+  Particles made;
+  for (const auto& cell : cells) {
+    double volume = 0;
+    if constexpr (n == 8)
+      volume = hexahedron_volume(nodes, cell);
+    else
+      volume = tetrahedron_volume(nodes, cell);
+    for (const Index node : cell) {
+      if (particle[node] == none) {
+        particle[node] = made.size();
+        made.cells.push_back({node}), made.volumes.push_back(0);
+      }
+      made.volumes[particle[node]] += volume / n;
+    }
+  }
+  return made;
+}
+
 }  // namespace strike
