@@ -19,6 +19,7 @@
 #include <strike/verify/single_element.hpp>
 
 #include "conformance/element.hpp"
+#include "support/sanitized.hpp"
 
 using namespace strike;
 using namespace strike::verify;
@@ -194,7 +195,7 @@ TEST_CASE("physical hourglass: 1e4 revolutions leave locked-in stresses as they 
     circle[i] = Eigen::AngleAxisd(2 * std::numbers::pi * static_cast<double>(i % per_revolution) / per_revolution, axis)
                     .toRotationMatrix() *
                 x;
-  for (int revolution = 0; revolution < 10000; ++revolution)
+  for (int revolution = 0; revolution < testing::repeated(10000); ++revolution)
     for (std::size_t i = 0; i < per_revolution; ++i) single.step(circle[i + 1] - circle[i], 1);
   CHECK((single.now().force - f).norm() <= 1e-8 * f.norm());
 }

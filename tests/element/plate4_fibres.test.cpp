@@ -7,6 +7,7 @@
 #include "conformance/plate.hpp"
 #include "support/catch.hpp"
 #include "support/plies.hpp"
+#include "support/sanitized.hpp"
 
 using namespace strike;
 using testing::Quadrilaterals;
@@ -51,7 +52,7 @@ TEST_CASE("plates with fibres: their direction does not depend on the numbering"
 TEST_CASE("plates with fibres: the step is never beyond the exact one") {
   Quadrilaterals shapes(4);
   double least = 10;
-  for (int trial = 0; trial < 600; ++trial) {
+  for (int trial = 0; trial < testing::repeated(600); ++trial) {
     const Nodal<double, 4> x = trial % 2 == 0 ? shapes() : shapes.plane();
     const Plate4Modes<double> m = to_plate_modes<double>(x);
     const double h = std::pow(10, 2 * shapes.unit() - 1) * std::sqrt(Plate4Frame<double>(m.xi, m.eta).area);

@@ -20,6 +20,7 @@
 #include <strike/mesh/transform.hpp>
 
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 
 using namespace strike;
 
@@ -89,7 +90,8 @@ TEST_CASE("check: size and place of a mesh do not matter") {
       CHECK(is_right(placed(box({.size = {1, 1e-4, 1}}))));
       CHECK(is_right(placed(box({.size = {1, 1e-2, 1e-2}}))));
       CHECK(!is_right(placed(twisted(std::numbers::pi / 2))));
-      if (size < 1 && away > 0) CHECK(right_orders(placed(box({.size = {1, 0.5, 2}})), &Mesh::hexahedra) == 24);
+      if (size < 1 && away > 0 && !testing::is_sanitized())  // 8! orders, each an error with its sentence
+        CHECK(right_orders(placed(box({.size = {1, 0.5, 2}})), &Mesh::hexahedra) == 24);
     }
 }
 

@@ -23,6 +23,7 @@
 
 #include "scratch.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -316,7 +317,8 @@ TEST_CASE("checkpoint: a run that is killed at any moment, again and again, leav
   std::filesystem::create_directory(folder / "whole");
   go("whole/bar");
   int deaths = 0;
-  while (!survives(500 * deaths)) ++deaths;  // later and later, so that it ends
+  const int later = testing::is_sanitized() ? 4000 : 500;  // microseconds: all takes the longer there
+  while (!survives(later * deaths)) ++deaths;              // later and later, so that it ends
   CHECK(deaths > 3);
   std::ofstream(folder / "bar.checkpoint.part") << "half a checkpoint";
   go("bar");  // from the last checkpoint to the end, where none is due
