@@ -1,4 +1,5 @@
-// Two translation units with all headers link, and share what the headers define.
+// A translation unit with all headers, of the installed package, links with another, and shares what the headers
+// define. (Units of tests, too, which all have all headers, are linked together.)
 #if __has_include(<strike/strike.hpp>)
 #include <strike/strike.hpp>
 #else

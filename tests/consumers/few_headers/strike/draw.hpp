@@ -1,0 +1,2 @@
+#pragma once
+// Nothing of strike, under the name of what draws.
