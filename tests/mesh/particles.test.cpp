@@ -140,7 +140,7 @@ TEST_CASE("particles: what lies on lines of the lattice but for rounding lies on
 
 TEST_CASE("particles: of a turned and shifted mesh they are the points in the turned body") {
   const Eigen::Vector3d axis(1, 2, 3), size(2, 1.4, 1.1);
-  const double h = 0.2, near_is = 2e-5 * h;  // places are rounded to 2^-17 in each direction
+  const double h = 0.1, near_is = 2e-5 * h;  // places are rounded to 2^-17 in each direction
   for (const double angle : {0.0, 0.3, pi / 2, 2.0})
     for (const Eigen::Vector3d& shift : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, -3.7, 5.05)}) {
       const Mesh brick = box({.lower = -0.5 * size, .size = size, .cells = {3, 2, 2}});
@@ -151,10 +151,11 @@ TEST_CASE("particles: of a turned and shifted mesh they are the points in the tu
         return (0.5 * size - (back * (x - shift)).cwiseAbs()).minCoeff();
       };
       std::size_t inside = 0, near = 0;
-      for (int i = -32; i < 32; ++i)
-        for (int j = -32; j < 32; ++j)
-          for (int k = -32; k < 32; ++k) {
-            const double d = depth(h * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5));
+      const Eigen::Vector3d middle = (shift / h).array().floor();
+      for (int i = -15; i < 15; ++i)  // half a diagonal of the brick is 13.4 h, and `middle` is off by up to h
+        for (int j = -15; j < 15; ++j)
+          for (int k = -15; k < 15; ++k) {
+            const double d = depth(h * (middle + Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5)));
             inside += d > near_is, near += std::abs(d) <= near_is;
           }
       CAPTURE(angle, shift.x());
