@@ -119,7 +119,7 @@ void draw(const Record& record, const Mesh& mesh, const std::vector<Eigen::Vecto
   const Mesh left = remaining(mesh, alive);
   std::vector<Eigen::Vector3d> debris;
   for (const Index i : orphan_nodes(left)) debris.push_back(positions[i]);
-  Picture picture{{.title = "Bird on a rigid plate after " + examples::text(time) + " ms",
+  Picture picture{{.title = "Bird on a rigid plate after " + examples::text(std::round(1e3 * time) / 1e3) + " ms",
                    .quantity = "pressure",
                    .unit = "MPa",
                    .from = {1, -2.5, 0.6},
