@@ -55,6 +55,7 @@ template <class T>
 struct Birth {
   T fresh{};
 };
+struct NoBirth {};
 
 /// The particle of debris at each node, and which elements of its source have gone over.
 class Births {
@@ -207,6 +208,10 @@ class Births {
   std::vector<std::size_t> particle_at_;  // by the number of the node
   std::vector<char> taken_;               // of the elements of the source as they lie in memory
   std::size_t count_ = 0;
+};
+
+struct NoBirths {
+  void serialize(auto&) {}
 };
 
 }  // namespace detail

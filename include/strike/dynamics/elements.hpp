@@ -91,7 +91,7 @@ struct Elements {
     BlockNodes<n, width> nodes;
     State state;
     [[no_unique_address]] std::conditional_t<erodes, RemovalState<T, has_geometry>, Nothing> removal{};
-    [[no_unique_address]] std::conditional_t<is_born, Birth<T>, Nothing> birth{};
+    [[no_unique_address]] std::conditional_t<is_born, Birth<T>, NoBirth> birth{};
   };
 
   E element;

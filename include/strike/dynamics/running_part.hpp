@@ -310,7 +310,7 @@ class RunningPart {
   [[no_unique_address]] std::conditional_t<scales_mass, detail::ScaledMass, NothingScaled> scaled_;
   [[no_unique_address]] Volume volume_;
   [[no_unique_address]] std::conditional_t<sees_neighbours, detail::Cloud<T>, Nothing> cloud_;
-  [[no_unique_address]] std::conditional_t<is_born, detail::Births, Nothing> births_;
+  [[no_unique_address]] std::conditional_t<is_born, detail::Births, detail::NoBirths> births_;
   [[no_unique_address]] detail::PlateProportions<E, M> proportions_;
   detail::Deletions newly_deleted_{}, deletions_{};
 };
