@@ -1,5 +1,6 @@
 // The order of faces and balls in a picture, against what a ray through each point of a ball meets.
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -51,18 +52,11 @@ std::vector<Figure> balls_beside(const Plate& plate, int side, std::mt19937& ran
   return all;
 }
 
-/// Whether the disc of a ball and a square have a common point, on a raster of the disc.
+/// Whether the disc of a ball and a square have more in common than a touch: the square's nearest point is in the disc.
 bool overlap(const Figure& of_ball, const Figure& face) {
-  constexpr int rings = 24;
-  for (int i = -rings; i <= rings; ++i)
-    for (int j = -rings; j <= rings; ++j) {
-      if (i * i + j * j > rings * rings) continue;
-      const double x = of_ball.corners[0][0] + of_ball.radius * i / rings,
-                   y = of_ball.corners[0][1] + of_ball.radius * j / rings;
-      if (x >= face.corners[0][0] && x <= face.corners[2][0] && y >= face.corners[0][1] && y <= face.corners[2][1])
-        return true;
-    }
-  return false;
+  const Eigen::Vector3d& x = of_ball.corners[0];
+  const auto beyond = [&](int c) { return std::max({face.corners[0][c] - x[c], 0.0, x[c] - face.corners[2][c]}); };
+  return std::hypot(beyond(0), beyond(1)) < (1 - 1e-9) * of_ball.radius;
 }
 
 }  // namespace
