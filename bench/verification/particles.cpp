@@ -59,10 +59,11 @@ void jet_on_wall(const char* name, const Jet& jet, double from, double to) {
 void particles() {
   for (const double speed : {116.0, 180.0, 225.0, 300.0})
     for (const double across : {12.0, 16.0}) birds(across, speed, speed == 180 ? 8 : 4);
+  birds(10, 180, 4), birds(14, 180, 4), birds(20, 180, 2);
   jet_on_wall("particles round-nosed jet 8 across", {.across = 8, .aspect = 8, .has_round_nose = true}, 0.4, 0.8);
   jet_on_wall("particles round-nosed jet 12 across", {.across = 12, .aspect = 8, .has_round_nose = true}, 0.4, 0.8);
   jet_on_wall("particles plane jet 16 across", {.across = 16, .aspect = 10, .is_plane = true}, 0.4, 0.75);
-  birds(24, 180, 2), birds(32, 180, 1);
+  birds(24, 180, 4), birds(32, 180, 3);
   for (const double across : {3.0, 4.0, 5.0, 6.0}) {
     const std::string name = "particles taylor " + std::to_string(static_cast<int>(across));
     if (!is_wanted(name)) continue;
