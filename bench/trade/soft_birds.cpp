@@ -31,7 +31,7 @@ constexpr double bird_speeds[] = {180, 225, 300}, jet_speeds[] = {180};
 constexpr Jets cylinders{{.across = 0}, bird_speeds, 0.2, 0.5};
 constexpr Jets round_nosed{{.across = 0, .aspect = 4, .has_round_nose = true}, jet_speeds, 0.5, 0.8};
 
-/// What the runs of several jets add up to.
+/// The sums over several runs of jets.
 struct Sum {
   Outcome outcome{.error = 0, .seconds = 0, .steps = 0, .elements = 0};
   std::size_t jets = 0;

@@ -67,8 +67,8 @@ TEST_CASE("birds of cells: a plane shock has the pressure and the speed of the j
   check_column(tetrahedron, split, split.tetrahedra, 0.01, 0.015);
 }
 
-// What leaves has no momentum along the axis, so that the force is rho A v^2 whatever the pressure in the fluid. It is
-// not the pressure about the axis, which cells that stay there raise (docs/verification.md).
+// The water that leaves has no momentum along the axis, so that the force is rho A v^2 whatever the pressure in the
+// fluid. It is not the pressure about the axis, which cells that stay there raise (docs/verification.md).
 TEST_CASE("birds of cells: a jet with a round nose gives rho A v^2, and its tail does not know") {
   const Jet jet{.across = 8, .aspect = 4, .has_round_nose = true};
   const Mesh quarter = hexahedra(jet, 2), split = tetrahedra(jet, 2);

@@ -64,7 +64,7 @@ class Layers {
   std::vector<std::vector<std::size_t>> of_;
 };
 
-/// What a run finds over the exact.
+/// Results of a run over the exact ones.
 struct Found {
   double pressure, speed;
 };

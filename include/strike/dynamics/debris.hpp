@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -127,10 +128,9 @@ class Births {
 
   template <std::size_t n>
   static double volume(const std::array<Eigen::Vector3d, n>& x) {
-    if constexpr (n == 8)
-      return hexahedron_volume(x, {0, 1, 2, 3, 4, 5, 6, 7});
-    else
-      return tetrahedron_volume(x, {0, 1, 2, 3});
+    std::array<Index, n> corners;
+    std::iota(corners.begin(), corners.end(), Index(0));
+    return solid_volume(x, corners);
   }
 
   /// Of lane l of a block. The state is that before the step in which the element was deleted, and so is the volume.

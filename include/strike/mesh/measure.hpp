@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include <strike/mesh/mesh.hpp>
@@ -28,6 +29,16 @@ inline double tetrahedron_volume(std::span<const Eigen::Vector3d> nodes, const s
   using namespace detail;
   const Eigen::Vector3d &a = nodes[cell[0]], &b = nodes[cell[1]], &c = nodes[cell[2]], &d = nodes[cell[3]];
   return cross<double>(b - a, c - a).dot(d - a) / 6;
+}
+
+/// Volume of a hexahedron or a tetrahedron [length^3], by its number of corners.
+template <std::size_t n>
+  requires(n == 8 || n == 4)
+double solid_volume(std::span<const Eigen::Vector3d> nodes, const std::array<Index, n>& cell) {
+  if constexpr (n == 8)
+    return hexahedron_volume(nodes, cell);
+  else
+    return tetrahedron_volume(nodes, cell);
 }
 
 /// Area of a quadrilateral [length^2]; of a warped one the norm of its vector area.

@@ -202,9 +202,9 @@ inline Mesh particles(const BoxShape& shape) {
 /// Particles inside hexahedra and tetrahedra, or if there are none inside closed surfaces of quadrilaterals. They lie
 /// half a spacing [length] from the planes x = 0, y = 0 and z = 0, so that what these planes cut off a body takes its
 /// own particles away and no others. A point belongs to the body if a vertical line through it leaves the body above it
-/// once more than it enters; faces of four corners are cut along their first diagonal. Places are told apart
-/// to 2^-16 of the spacing. Errors: a spacing that is not
-/// positive; an open surface, or faces that look both ways; no particle inside; 2^32 of them or more.
+/// once more than it enters; faces of four corners are cut along their first diagonal. Places are told apart to 2^-16
+/// of the spacing. Errors: a spacing that is not positive; an open surface, or faces that look both ways; no particle
+/// inside; 2^32 of them or more.
 inline Mesh particles(const Mesh& body, double spacing) {
   using namespace detail;
   RangeCheck("particles", "")("spacing", spacing, range::positive, "it is a length");
@@ -260,11 +260,7 @@ Particles particles_at_nodes(std::span<const Eigen::Vector3d> nodes, const Cells
   std::vector<std::size_t> particle(nodes.size(), none);
   Particles made;
   for (const auto& cell : cells) {
-    double volume = 0;
-    if constexpr (n == 8)
-      volume = hexahedron_volume(nodes, cell);
-    else
-      volume = tetrahedron_volume(nodes, cell);
+    const double volume = solid_volume(nodes, cell);
     for (const Index node : cell) {
       if (particle[node] == none) {
         particle[node] = made.size();
