@@ -32,6 +32,8 @@
 
 using namespace strike;
 using testing::Frame;
+using testing::off;
+using testing::tilted;
 using testing::Velocities;
 
 namespace {
@@ -58,14 +60,6 @@ auto strike_wall(const M& material, const Mesh& mesh, const Frame& frame, const 
                   policies...};
 }
 const Mesh brick = box({.size = {5, 4, 3}, .cells = {5, 4, 3}});
-
-template <class Run>
-double off(const Run& run, const Points& other, const Frame& frame = {}) {
-  double most = 0;
-  for (std::size_t i = 0; i < other.size(); ++i)
-    most = std::max(most, (frame.back(run.positions()[i]) - other[i]).norm());
-  return most;
-}
 
 /// The angular momentum of all nodes about the origin.
 template <class Run>
@@ -166,9 +160,7 @@ TEST_CASE("debris: the scene turned, renumbered, on threads or in other lanes gi
   CHECK(run.part<0>().deleted() < 60);
   const Points x = run.positions();
 
-  Frame frame;
-  frame.turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -0.5).normalized()).toRotationMatrix();
-  frame.shift = {3, -20, 11};
+  const Frame frame = tilted(0.7, {1, 2, -0.5});
   auto turned = strike_wall(water, brick, frame);
   turned.until(0.01);
   CHECK(off(turned, x, frame) < 1e-8);
@@ -200,9 +192,7 @@ TEST_CASE("debris: the scene turned, renumbered, on threads or in other lanes gi
 
 TEST_CASE("debris: a half and a quarter, cut at mirrors through its nodes at any angle of the scene, are the whole",
           "[debris]") {
-  Frame frame;
-  frame.turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 0.3, -0.5).normalized()).toRotationMatrix();
-  frame.shift = {3, -20, 11};
+  const Frame frame = tilted(1.1, {1, 0.3, -0.5});
   const Mirror across{2 * frame.turn.col(0), frame({0, 5, 1})}, along{frame.turn.col(1), frame({1, 0, 2})};
   const auto struck = [&](bool half, bool quarter) {
     const Mesh mesh = box({.lower = {half ? 0. : -3, quarter ? 0. : -3, 0},

@@ -25,6 +25,8 @@
 
 using namespace strike;
 using testing::Frame;
+using testing::off;
+using testing::tilted;
 using testing::Velocities;
 
 namespace {
@@ -62,14 +64,6 @@ auto strike_wall(const M& material, const Mesh& mesh, const Frame& frame, const 
   return Explicit{Scene{x, Part{Particle{}, material, mesh.particles}, Velocities{v},
                         RigidWall{frame({0, 0, 0}), frame.turn * Eigen::Vector3d(0, 0, 1)}},
                   policies...};
-}
-
-template <class Run>
-double off(const Run& run, const Points& other, const Frame& frame = {}) {
-  double most = 0;
-  for (std::size_t i = 0; i < other.size(); ++i)
-    most = std::max(most, (frame.back(run.positions()[i]) - other[i]).norm());
-  return most;
 }
 
 }  // namespace
@@ -127,9 +121,7 @@ TEMPLATE_TEST_CASE("particles: the scene turned, renumbered, on threads or in ot
   run.until(0.01);
   const Points x = run.positions();
 
-  Frame frame;
-  frame.turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -0.5).normalized()).toRotationMatrix();
-  frame.shift = {3, -20, 11};
+  const Frame frame = tilted(0.7, {1, 2, -0.5});
   auto turned = strike_wall(material, mesh, frame);
   turned.until(0.01);
   CHECK(off(turned, x, frame) < 1e-9);
@@ -160,9 +152,7 @@ TEMPLATE_TEST_CASE("particles: the scene turned, renumbered, on threads or in ot
 
 TEST_CASE("particles: a half and a quarter, cut at mirrors at any angle of the scene, are the whole", "[particles]") {
   const Mesh quarter = block(4, 3, 5, 0.1);
-  Frame frame;
-  frame.turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 0.3, -0.5).normalized()).toRotationMatrix();
-  frame.shift = {3, -20, 11};
+  const Frame frame = tilted(1.1, {1, 0.3, -0.5});
   const auto struck = [&](int quarters, const Mirrors& mirrors) {
     Mesh mesh;
     for (int q = 0; q < quarters; ++q)
