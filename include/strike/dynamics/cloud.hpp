@@ -206,9 +206,8 @@ class Cloud {
   const std::vector<Index>& near(std::size_t b, const Self& self) {
     const std::vector<Index>& found = neighbours_.of(b);
     std::vector<Index>& near = near_[b];
-    near.clear();
-    if (!any(self.weight > 0.0)) return near;
-    near.resize(found.size());
+    near.resize(any(self.weight > 0.0) ? found.size() : 0);
+    if (near.empty()) return near;
     const T square = T(kernel_.reach() * kernel_.reach());
     std::size_t count = 0;
     for (const Index j : found) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -10,6 +9,9 @@
 
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
+#include <strike/scalar/pack.hpp>
+#include <strike/scalar/scalar.hpp>
+#include <strike/tensor/tensor.hpp>
 
 namespace strike::detail {
 
@@ -65,12 +67,13 @@ class Neighbours {
     for (std::size_t l = 0; l < width; ++l) {
       const Eigen::Vector3d& at = x[std::min(group * width + l, last - 1)];
       box.add_finite(at);
-      for (std::size_t c = 0; c < 3; ++c) points[c][l] = at(static_cast<Eigen::Index>(c));
+      for (int c = 0; c < 3; ++c) set_lane(points(c), l, at(c));
     }
     lists_[group].clear();
     visit(levels_.size() - 1, 0, 1, x, box, points, squared_reach, lists_[group]);
   }
-  using Group = std::array<std::array<double, width>, 3>;
+  using Lanes = Pack<double, width>;
+  using Group = Vector3<Lanes>;
 
   /// Boxes [first, last) of a level, in order.
   void visit(std::size_t level, std::size_t first, std::size_t last, std::span<const Eigen::Vector3d> x, const Box& box,
@@ -83,12 +86,8 @@ class Neighbours {
         continue;
       }
       for (std::size_t j = k * arity; j < std::min((k + 1) * arity, x.size()); ++j) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t l = 0; l < width; ++l) {
-          const double dx = points[0][l] - x[j](0), dy = points[1][l] - x[j](1), dz = points[2][l] - x[j](2);
-          least = std::min(least, dx * dx + dy * dy + dz * dz);
-        }
-        if (least <= squared_reach) found.push_back(static_cast<Index>(j));
+        const Group d = points - Group(Lanes(x[j](0)), Lanes(x[j](1)), Lanes(x[j](2)));
+        if (any(dot(d, d) <= Lanes(squared_reach))) found.push_back(static_cast<Index>(j));
       }
     }
   }

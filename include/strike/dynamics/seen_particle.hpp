@@ -42,11 +42,10 @@ struct SeenAnswer {
   /// In all lanes.
   template <class T>
   ParticleAnswer<T> in_lanes() const {
-    ParticleAnswer<T> answer;
-    for (int i = 0; i < 9; ++i) answer.stress(i) = T(stress[i]);
-    answer.half_rate = {T(rate[0]), T(rate[1]), T(rate[2]), T(rate[3]), T(rate[4]), T(rate[5])};
-    answer.impedance = T(impedance);
-    return answer;
+    const auto column = [&](int i) { return Vector3<T>(T(stress[i]), T(stress[i + 1]), T(stress[i + 2])); };
+    return {columns<T>(column(0), column(3), column(6)),
+            {T(rate[0]), T(rate[1]), T(rate[2]), T(rate[3]), T(rate[4]), T(rate[5])},
+            T(impedance)};
   }
 };
 

@@ -252,13 +252,34 @@ class Mask {
   friend bool any(const Mask& a) {
     Register one = a.r_[0];
     for (std::size_t k = 1; k < registers; ++k) one |= a.r_[k];
-    Flag flag = 0;
-    for (std::size_t i = 0; i < width; ++i) flag |= one[i];
-    return flag != 0;
+    return any_of(one);
   }
   friend bool all(const Mask& a) { return !any(!a); }
 
  private:
+  static bool any_of(const Register& a) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Register) == 64)
+      return _mm512_test_epi32_mask(std::bit_cast<__m512i>(a), std::bit_cast<__m512i>(a)) != 0;
+    else
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(Register) == 32)
+      return _mm256_testz_si256(std::bit_cast<__m256i>(a), std::bit_cast<__m256i>(a)) == 0;
+    else
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Register) == 16)
+      return _mm_movemask_epi8(std::bit_cast<__m128i>(a)) != 0;
+    else
+#endif
+    {
+      Flag flag = 0;
+      for (std::size_t i = 0; i < width; ++i) flag |= a[i];
+      return flag != 0;
+    }
+  }
+
   Register r_[registers];
 };
 
