@@ -201,7 +201,6 @@ TEST_CASE("dyna: what is wrong is told with its line") {
   };
   refused("", "the file has no keyword");
   refused("hello\n", "line 1: 'hello' stands before any keyword: begin the file with *KEYWORD.");
-  refused("*INCLUDE_PATH\n", "line 1: *INCLUDE_PATH is not followed: put the text of that file here.");
   for (const char* keyword : {"*KEYWORD LONG=K", "*KEYWORD I10 = Y", "*KEYWORD  long = y", "*NODE  +"})
     refused(std::string(keyword) + "\n", "line 1: the file is in the long or the I10 format");
   for (const char* keyword : {"*ELEMENT_SOLID_ORTHO", "*ELEMENT_SHELL_BETA", "*ELEMENT_SOLID_H20"})

@@ -45,12 +45,13 @@ inline void pass_keyword(File& file) {
 
 /// The mesh and the cards of an LS-DYNA keyword file (.k, .key, .dyn) in the standard format, of fixed columns or with
 /// commas. docs/read_a_mesh.md lists the keywords that are read; others, and values without a counterpart here, are
-/// skipped with a warning. `name` is the file in messages. Errors: `*INCLUDE`; the long formats; elements of higher
-/// order, wedges; text in the place of a number; a number given twice; a node, set or part that is not there; a
-/// material without a density or a modulus.
-inline DynaDeck read_dyna(std::string_view text, const std::string& name) {
+/// skipped with a warning. `name` is the file in messages. Included files are read below the folder of the deck.
+/// Errors: a file that is not there, or elsewhere; the long formats; elements of higher order, wedges; text in the
+/// place of a number; a number given twice; a node, set or part that is not there; a material without a density or a
+/// modulus.
+inline DynaDeck read_dyna(std::string_view text, const std::string& name, const ReadOptions& options = {}) {
   return detail::within_memory(name, [&] {
-    detail::dyna::File file(detail::Source(text, name));
+    detail::dyna::File file(detail::Source(text, name, options));
     detail::dyna::Draft draft;
     while (file.next_keyword()) {
       if (const auto* const keyword = detail::dyna::find_keyword(file.base()))
@@ -61,6 +62,9 @@ inline DynaDeck read_dyna(std::string_view text, const std::string& name) {
     return detail::dyna::resolved(std::move(draft), file);
   });
 }
-inline DynaDeck read_dyna(const std::string& path) { return read_dyna(detail::content_of_file(path), path); }
+inline DynaDeck read_dyna(const std::string& path, ReadOptions options = {}) {
+  if (options.folder.empty()) options.folder = detail::folder_of(path);
+  return read_dyna(detail::content_of_file(path), path, options);
+}
 
 }  // namespace strike

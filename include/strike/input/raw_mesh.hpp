@@ -87,19 +87,19 @@ class Numbering {
 /// time are linear in it.
 class Allowance {
  public:
-  explicit Allowance(const Source& source) : source_(&source), left_(1'000'000 + 32 * source.size()) {}
+  explicit Allowance(const Source& source) : source_(&source) {}
 
   /// Error: more nodes and elements than are left.
   void take(std::size_t count, std::uint32_t line) {
-    if (count > left_)
+    if (count > 1'000'000 + 32 * source_->size() - taken_)
       source_->refuse(line, {"instances, sets and cards name nodes and elements more often than a file of ",
                              std::to_string(source_->size()), " bytes may: take out those that repeat others."});
-    left_ -= count;
+    taken_ += count;
   }
 
  private:
   const Source* source_;
-  std::size_t left_;
+  std::size_t taken_ = 0;
 };
 
 /// Input of the readers by the numbers of the file; `finished` makes a deck of it.
@@ -237,8 +237,9 @@ inline Finished finished(RawMesh raw, const Source& source) {
   result.file_nodes = Numbering(std::move(numbers));
   if (const Index n = result.file_nodes.twice(); n != nothing) {
     const RawMesh::Node& twin = raw.nodes[result.file_nodes.find(raw.nodes[n].number)];
-    source.refuse(raw.nodes[n].line, {"node ", std::to_string(twin.number % RawMesh::scope), " is on line ",
-                                      std::to_string(twin.line), " already: give each node a number of its own."});
+    source.refuse(raw.nodes[n].line,
+                  {"node ", std::to_string(twin.number % RawMesh::scope), " is on line ",
+                   source.place_beside(twin.line, raw.nodes[n].line), " already: give each node a number of its own."});
   }
 
   // The elements by places of nodes in the file, and their shapes.
@@ -335,9 +336,9 @@ inline Finished finished(RawMesh raw, const Source& source) {
   const Numbering file_elements(std::move(numbers));
   if (const Index e = file_elements.twice(); e != nothing) {
     const RawMesh::Element& twin = raw.elements[file_elements.find(raw.elements[e].number)];
-    source.refuse(raw.elements[e].line,
-                  {"element ", std::to_string(twin.number % RawMesh::scope), " is on line ", std::to_string(twin.line),
-                   " already: give each element a number of its own."});
+    source.refuse(raw.elements[e].line, {"element ", std::to_string(twin.number % RawMesh::scope), " is on line ",
+                                         source.place_beside(twin.line, raw.elements[e].line),
+                                         " already: give each element a number of its own."});
   }
   deck.node_sets =
       resolved(std::move(raw.node_sets), result.file_nodes, {}, result.place, "node", source, result.allowance);

@@ -12,12 +12,12 @@ namespace strike {
 
 /// The mesh of a file by the ending of its name: .msh gmsh, .inp Abaqus, .k, .key or .dyn LS-DYNA. Errors: another
 /// ending; those of the reader.
-inline Deck read_mesh(const std::string& path) {
+inline Deck read_mesh(const std::string& path, const ReadOptions& options = {}) {
   const std::string ending = detail::upper(std::string_view(path).substr(std::min(path.rfind('.'), path.size())));
   if (ending == ".MSH") return read_gmsh(path);
   if (ending == ".INP") return read_abaqus(path);
   if (ending == ".K" || ending == ".KEY" || ending == ".DYN") {
-    DynaDeck deck = read_dyna(path);
+    DynaDeck deck = read_dyna(path, options);
     return std::move(static_cast<Deck&>(deck));
   }
   throw Error(detail::joined({"strike: the file '", path,

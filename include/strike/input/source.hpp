@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <initializer_list>
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,6 +27,12 @@ namespace strike {
 
 /// Number of a node, an element, a part or a set in its file, from 1.
 using FileNumber = std::int64_t;
+
+/// Options of the readers of decks.
+struct ReadOptions {
+  std::string folder = {};  ///< of included files; that of the deck, or none for a text in memory, if empty
+  bool anywhere = false;    ///< included files may stand outside of that folder
+};
 
 namespace detail {
 
@@ -141,45 +149,108 @@ inline std::optional<FileNumber> to_integer(std::string_view field) {
   return result + (trimmed(text).size() > 40 ? "...'" : "'");
 }
 
-/// A text being read, line by line. Lines end with LF, CR LF or CR; a byte-order mark of UTF-8 is no text.
+/// The path without symbolic links; empty if nothing is there.
+[[gnu::cold]] inline std::string canonical(const std::string& path) {
+  const std::unique_ptr<char, void (*)(void*)> real(::realpath(path.c_str(), nullptr), &std::free);
+  return real ? std::string(real.get()) : std::string();
+}
+
+/// The folder of a file, as its path names it.
+[[gnu::cold]] inline std::string folder_of(const std::string& path) {
+  const std::size_t end = path.rfind('/');
+  return end == path.npos ? "." : end == 0 ? "/" : path.substr(0, end);
+}
+
+/// A text being read, line by line, and the files that it includes. Lines end with LF, CR LF or CR; a byte-order mark
+/// of UTF-8 is no text. Lines are counted through all files, so that a line's number tells its file too.
 class Source {
  public:
-  /// Error: the text holds a byte 0.
-  Source(std::string_view text, std::string name)
-      : rest_(text),
-        size_(text.size()),
-        name_(std::move(name)),
-        end_of_line_(text.find('\n') < text.npos ? '\n' : '\r') {
-    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-    if (const std::size_t zero = text.find('\0'); zero != text.npos)
-      refuse(
-          1 + static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + std::ptrdiff_t(zero), end_of_line_)),
-          {"a byte is 0, as in binary files and UTF-16: save the file as text in ASCII or UTF-8."});
-  }
+  /// Limits of what a text includes: files within files, and files in all.
+  static constexpr std::size_t deepest = 32, most_files = 10'000;
 
-  /// Size of the text [bytes].
+  /// Error: the text holds a byte 0.
+  Source(std::string_view text, std::string name) : Source(text, std::move(name), {}) {}
+  /// `options.folder` is that of included files; without it there are none.
+  Source(std::string_view text, std::string name, ReadOptions options) : options_(std::move(options)) {
+    if (!options_.folder.empty()) root_ = canonical(options_.folder), current_.real = canonical(name);
+    names_.push_back(std::move(name));
+    begin(text);
+  }
+  Source(Source&&) = default;
+
+  /// Size of the texts so far; a file that is included twice counts twice [bytes].
   std::size_t size() const { return size_; }
-  /// The next line, without its end.
+  /// The next line, without its end. False at the end of the text, or of the included file.
   bool next(std::string_view& line) {
-    if (rest_.empty()) return false;
-    line = taken(rest_, end_of_line_);
+    if (current_.rest.empty()) return false;
+    line = taken(current_.rest, current_.end_of_line);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     ++line_;
     return true;
   }
-  /// The first character of the next line.
-  char peek() const { return rest_.empty() ? '\0' : rest_.front(); }
+  /// The first character of the next line; '\0' at the end of the text, or of the included file.
+  char peek() const { return current_.rest.empty() ? '\0' : current_.rest.front(); }
   /// True if the next line, after blanks, starts with the text.
   bool next_begins_with(std::string_view mark) const {
-    const std::size_t first = rest_.find_first_not_of(" \t");
-    return first != rest_.npos && rest_.substr(first, mark.size()) == mark;
+    const std::size_t first = current_.rest.find_first_not_of(" \t");
+    return first != current_.rest.npos && current_.rest.substr(first, mark.size()) == mark;
   }
-  /// The number of the last line, from 1.
+  /// The number of the last line, from 1, through all files.
   std::uint32_t line() const { return line_; }
+
+  /// Goes into an included file; `leave` returns behind the last line. `folders` are searched after the deck's and that
+  /// of the including file. Lines of a file may be kept until the file after it is left. Errors: there is no such file;
+  /// it stands outside of the deck's folder, which `anywhere` allows; it includes itself; more files than the limits.
+  [[gnu::cold]] void include(std::string_view file, std::span<const std::string> folders = {}) {
+    if (root_.empty())
+      refuse({"the file ", shown(file), " is included by a text in memory: give the folder of its files."});
+    const std::string path = found(file, folders), real = canonical(path);
+    const auto is_open = [&](const Text& text) { return text.real == real; };
+    if (is_open(current_) || std::any_of(outer_.begin(), outer_.end(), is_open))
+      refuse({"the file ", shown(file), " includes itself: take one *INCLUDE out."});
+    if (outer_.size() >= deepest)
+      refuse({"files are included in files more than ", std::to_string(deepest), " deep: include ", shown(file),
+              " from a file further up."});
+    if (names_.size() > most_files)
+      refuse({"more than ", std::to_string(most_files), " files are included: put their texts together."});
+    auto content = std::make_unique<const std::string>(content_of_file(path));
+    outer_.push_back(std::move(current_));
+    const Place at = places_.empty() ? Place{0, 0, 0} : places_.back();
+    current_ = {.outer_lines = line_ - at.before + at.lines,
+                .real = real,
+                .name = names_.size(),
+                .content = std::move(content)};
+    names_.push_back(path);
+    begin(*current_.content);
+    places_.push_back({line_, current_.name, 0});
+  }
+  /// Returns from an included file. False in the outermost text.
+  [[gnu::cold]] bool leave() {
+    if (outer_.empty()) return false;
+    last_ = std::move(current_.content);
+    const std::uint32_t lines = current_.outer_lines;
+    current_ = std::move(outer_.back());
+    outer_.pop_back();
+    places_.push_back({line_, current_.name, lines});
+    return true;
+  }
+  /// The folder of included files; empty if there is none.
+  const std::string& folder() const { return options_.folder; }
+  /// Depth of the file being read: 0 in the outermost text.
+  std::size_t depth() const { return outer_.size(); }
+
+  /// A line as a sentence on the deck names it: "12", and "4 of 'mesh.k'" in an included file.
+  [[gnu::cold]] std::string place(std::uint32_t line) const { return place(line, 0); }
+  /// The same in a sentence on another line: the file is named where it is another one.
+  [[gnu::cold]] std::string place_beside(std::uint32_t line, std::uint32_t other) const {
+    return place(line, place_of(other).name);
+  }
 
   /// Throws an Error with file and line: what is wrong there, and what to do.
   [[noreturn, gnu::cold]] void refuse(std::uint32_t line, std::initializer_list<std::string_view> what) const {
-    throw Error(joined({"strike: the file '", name_, "', line ", std::to_string(line), ": ", joined(what)}));
+    const Place at = place_of(line);
+    throw Error(joined({"strike: the file '", names_[at.name], "', line ", std::to_string(line - at.before + at.lines),
+                        ": ", joined(what)}));
   }
   [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { refuse(line_, what); }
 
@@ -208,10 +279,73 @@ class Source {
     refuse({meaning, " ", shown(field), parameter ? " is a parameter, which is not replaced: write its value." : why});
   }
 
-  std::string_view rest_;
-  std::size_t size_;
-  std::string name_;
-  char end_of_line_;
+  /// A text that is being read, or goes on after an included file.
+  struct Text {
+    std::string_view rest = {};
+    char end_of_line = '\n';
+    std::uint32_t outer_lines = 0;  ///< of the file that includes it, so far
+    std::string real = {};          ///< its path without symbolic links
+    std::size_t name = 0;
+    std::unique_ptr<const std::string> content = {};
+  };
+  /// Lines after `before`, through all files, are those after the first `lines` of the file.
+  struct Place {
+    std::uint32_t before;
+    std::size_t name;
+    std::uint32_t lines;
+  };
+
+  void begin(std::string_view text) {
+    current_.rest = text;
+    current_.end_of_line = text.find('\n') < text.npos ? '\n' : '\r';
+    if (text.starts_with("\xEF\xBB\xBF")) current_.rest.remove_prefix(3);
+    size_ += text.size();
+    if (const std::size_t zero = text.find('\0'); zero != text.npos) {
+      const auto lines = std::count(text.begin(), text.begin() + std::ptrdiff_t(zero), current_.end_of_line);
+      throw Error(joined({"strike: the file '", names_[current_.name], "', line ", std::to_string(1 + lines),
+                          ": a byte is 0, as in binary files and UTF-16: save the file as text in ASCII or UTF-8."}));
+    }
+  }
+  Place place_of(std::uint32_t line) const {
+    const auto after = std::lower_bound(places_.begin(), places_.end(), line,
+                                        [](const Place& place, std::uint32_t number) { return place.before < number; });
+    return after == places_.begin() ? Place{0, 0, 0} : *(after - 1);
+  }
+  std::string place(std::uint32_t line, std::size_t known) const {
+    const Place at = place_of(line);
+    const std::string number = std::to_string(line - at.before + at.lines);
+    return at.name == known ? number : joined({number, " of '", names_[at.name], "'"});
+  }
+  /// The path of an included file: below the deck's folder, the including file's, or one of `folders`.
+  std::string found(std::string_view file, std::span<const std::string> folders) const {
+    std::string name(file);
+    std::replace(name.begin(), name.end(), '\\', '/');
+    std::vector<std::string> all{options_.folder, folder_of(names_[current_.name])};
+    all.insert(all.end(), folders.begin(), folders.end());
+    if (name.starts_with('/')) all = {""};
+    std::string outside;
+    for (const std::string& folder : all) {
+      const std::string path = folder.empty() || folder == "." ? name : joined({folder, "/", name});
+      std::uint64_t bytes = 0;
+      if (!has_size(path, bytes)) continue;
+      if (options_.anywhere || canonical(path).starts_with(root_ == "/" ? root_ : root_ + "/")) return path;
+      outside = path;
+    }
+    if (outside.empty())
+      refuse({"the included file ", shown(file), " is not there: correct its name, or put it into the folder '",
+              options_.folder, "'."});
+    refuse({"the included file '", outside, "' is outside of the folder '", options_.folder,
+            "': move it there, or allow it with {.anywhere = true}."});
+  }
+
+  ReadOptions options_;
+  std::string root_ = {};  ///< the folder of included files, without symbolic links
+  Text current_ = {};
+  std::vector<Text> outer_ = {};
+  std::unique_ptr<const std::string> last_ = {};  ///< of the file that was left last
+  std::vector<std::string> names_ = {};
+  std::vector<Place> places_ = {};
+  std::size_t size_ = 0;
   std::uint32_t line_ = 0;
 };
 
@@ -228,16 +362,17 @@ class Skipped {
       known->lines.push_back(line);
   }
   /// The first name with this beginning, and its line; empty if there is none.
-  std::string place_of(std::string_view beginning) const {
+  std::string place_of(std::string_view beginning, const Source& source) const {
     for (const Kind& kind : kinds_)
-      if (kind.name.starts_with(beginning)) return joined({kind.name, " on line ", std::to_string(kind.lines.front())});
+      if (kind.name.starts_with(beginning)) return joined({kind.name, " on line ", source.place(kind.lines.front())});
     return {};
   }
-  /// Adds the warnings: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40."
-  void tell(std::vector<std::string>& all, std::string_view why) const {
+  /// Adds the warnings: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40." With the source, lines of included files are
+  /// named with their file: "lines 12, 4 of 'mesh.k'."
+  void tell(std::vector<std::string>& all, std::string_view why, const Source* source = nullptr) const {
     for (const auto& [name, count, lines] : kinds_) {
       std::string places = lines.size() == 1 ? "line " : "lines ";
-      for (const std::uint32_t line : lines) places += std::to_string(line) + ", ";
+      for (const std::uint32_t line : lines) places += (source ? source->place(line) : std::to_string(line)) + ", ";
       places.resize(places.size() - 2);
       all.push_back(joined(
           {name, " (", std::to_string(count), ")", why, places, lines.size() == 5 && count > 5 ? ", ..." : "."}));

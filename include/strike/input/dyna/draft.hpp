@@ -72,8 +72,8 @@ struct Draft {
     const FileNumber number = card.own_tag(joined({"the number of a ", kind}), kind);
     const auto [known, is_new] = defined.try_emplace({kind, number}, file.line());
     if (!is_new)
-      file.refuse({kind, " ", std::to_string(number), " is on line ", std::to_string(known->second),
-                   " already: give each a number of its own."});
+      file.refuse({kind, " ", std::to_string(number), " is on line ",
+                   file.source().place_beside(known->second, file.line()), " already: give each a number of its own."});
     return number;
   }
   void support_node(const SupportCard& way, const Choice& node) {

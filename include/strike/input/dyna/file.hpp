@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -77,19 +78,25 @@ class File {
  public:
   explicit File(Source source) : source_(std::move(source)) {}
 
-  /// Goes to the next keyword, past the cards that are left. False at *END and at the end. Error: there is no keyword;
-  /// a keyword for another format or file.
+  /// Goes to the next keyword, past the cards that are left and through included files. False at *END and at the end.
+  /// Error: there is no keyword; a keyword for another format; a file that is not there.
   bool next_keyword() {
-    if (!name_.empty()) pass_further_cards();
+    if (!name_.empty() && !is_include()) pass_further_cards();
     std::string_view line;
-    while (name_ != "*END" && source_.next(line)) {
+    while (true) {
+      if (is_include() && name_ != "*END") include_files();
+      if (name_ == "*END" || !source_.next(line)) {
+        if (!any_) refuse({"the file has no keyword: give an LS-DYNA keyword file."});
+        if (!source_.leave()) return false;
+        name_ = std::move(outer_names_.back()), outer_names_.pop_back();
+        continue;
+      }
       if (line.empty() || line[0] == '$' || trimmed(line).empty()) continue;
       if (line[0] != '*') refuse({shown(line), " stands before any keyword: begin the file with *KEYWORD."});
+      any_ = true;
       begin(upper(trimmed(line)));
-      return true;
+      if (!is_include()) return true;
     }
-    if (name_.empty()) refuse({"the file has no keyword: give an LS-DYNA keyword file."});
-    return false;
   }
   /// The keyword as in the file, and without _TITLE or _ID.
   const std::string& name() const { return name_; }
@@ -105,7 +112,7 @@ class File {
     for_each_card([&](const Card&) { ignored_.add(joined({"Elements of ", base_}), source_.line()); });
   }
   /// The first keyword with this beginning that was skipped, with its line; empty if there is none.
-  std::string skipped(std::string_view beginning) const { return skipped_.place_of(beginning); }
+  std::string skipped(std::string_view beginning) const { return skipped_.place_of(beginning, source_); }
 
   /// The next card of the keyword; a blank one if there is none.
   Card card() {
@@ -162,12 +169,43 @@ class File {
   [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { source_.refuse(what); }
 
   void tell(std::vector<std::string>& warnings) const {
-    skipped_.tell(warnings, " was skipped: ");
-    ignored_.tell(warnings, " were ignored: ");
-    values_.tell(warnings, " had no effect: ");
+    skipped_.tell(warnings, " was skipped: ", &source_);
+    ignored_.tell(warnings, " were ignored: ", &source_);
+    values_.tell(warnings, " had no effect: ", &source_);
   }
 
  private:
+  bool is_include() const { return name_.starts_with("*INCLUDE"); }
+  /// The name of a file or folder, which goes on after " +" at the end of a line. False after the last one.
+  bool next_path(std::string& path) {
+    path.clear();
+    std::string_view line;
+    while (next_line(line)) {
+      line = trimmed(line);
+      const bool goes_on = line.ends_with(" +");
+      path += trimmed(goes_on ? line.substr(0, line.size() - 1) : line);
+      if (!goes_on && !path.empty()) return true;
+    }
+    return !path.empty();
+  }
+  /// Goes into the next file that the keyword names, or notes the folders that it names.
+  void include_files() {
+    std::string path;
+    const bool relative = name_ == "*INCLUDE_PATH_RELATIVE";
+    if (relative || name_ == "*INCLUDE_PATH") {
+      while (next_path(path)) {
+        std::replace(path.begin(), path.end(), '\\', '/');
+        folders_.push_back(path.starts_with('/') ? path : joined({source_.folder(), "/", path}));
+      }
+    } else if (name_ == "*INCLUDE") {
+      if (next_path(path)) {
+        source_.include(path, folders_);
+        outer_names_.push_back(std::exchange(name_, {}));
+      }
+    } else {
+      refuse({name_, " is not read, and takes more or less from a file than its text: write the cards that it gives."});
+    }
+  }
   /// The next data line of the keyword, without comments.
   bool next_line(std::string_view& line) {
     while (source_.peek() != '\0' && source_.peek() != '*') {
@@ -195,7 +233,6 @@ class File {
     if (packed.ends_with('+') || packed.ends_with('%') ||
         (name_ == "*KEYWORD" && (has("LONG=Y") || has("LONG=K") || has("I10=Y"))))
       refuse({"the file is in the long or the I10 format: write it in the standard one."});
-    if (name_.starts_with("*INCLUDE")) refuse({name_, " is not followed: put the text of that file here."});
     base_ = name_;
     const auto drop = [&](std::string_view option) {
       const bool found = base_.size() > option.size() && base_.ends_with(option);
@@ -209,6 +246,9 @@ class File {
 
   Source source_;
   std::string name_ = {}, base_ = {};
+  std::vector<std::string> outer_names_ = {};  ///< the keywords that include the files being read
+  std::vector<std::string> folders_ = {};      ///< of *INCLUDE_PATH
+  bool any_ = false;
   bool titled_ = false, is_skipped_ = false;
   Skipped skipped_ = {}, ignored_ = {}, values_ = {};
 };
