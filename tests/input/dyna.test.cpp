@@ -138,6 +138,149 @@ ALL
   CHECK(deck.part_sets[1].members == std::vector<Index>{0, 1});
 }
 
+TEST_CASE("dyna: sets are made of sets defined below, with nodes taken out, in boxes, collected") {
+  const DynaDeck deck = read(cube + R"(*ELEMENT_SHELL
+1,1,1,2,3,4
+2,4,5,6,7,8
+*ELEMENT_SOLID
+1,7,1,2,3,4,5,6,7,8
+*SET_NODE_ADD
+1
+2,3
+*SET_NODE_ADD
+2
+3,4
+*SET_NODE_GENERAL
+3
+PART,4
+DNODE,6
+DBOX,9
+*SET_NODE_LIST_COLLECT
+4
+1
+*SET_NODE_LIST_COLLECT_TITLE
+again
+4
+2
+*SET_NODE_LIST_GENERATE_INCREMENT
+5
+1,7,3,8,8
+*SET_NODE_GENERAL
+6
+BOX,9
+*DEFINE_BOX
+9,-.5,.5,-.5,.5,.5,1.5
+*SET_PART_ADD
+1
+2,3
+*SET_PART_ADD
+2
+3
+*SET_PART_LIST
+3
+7,1
+*SET_PART_LIST_GENERATE_INCREMENT
+4
+1,9,3
+*SET_SHELL_ADD
+1
+2
+*SET_SHELL
+2
+2
+*SET_SOLID_ADD
+3
+2
+*SET_SOLID
+2
+1
+*SET_SEGMENT_TITLE
+top
+         1       0.0
+         5         6         7         8
+         5         6         7
+)");
+  CHECK(deck.nodes(3) == std::vector<Index>{6, 7});
+  CHECK(deck.nodes(4) == std::vector<Index>{0, 1});
+  CHECK(deck.nodes(2) == std::vector<Index>{0, 1, 6, 7});
+  CHECK(deck.nodes(1) == deck.nodes(2));
+  CHECK(deck.nodes(5) == std::vector<Index>{0, 3, 6, 7});
+  CHECK(deck.nodes(6) == std::vector<Index>{4});
+  const auto parts = [&](FileNumber number) {
+    for (const NamedSet& set : deck.part_sets)
+      if (set.number == number) return set.members;
+    return std::vector<Index>{};
+  };
+  CHECK(parts(1) == std::vector<Index>{0, 2});
+  CHECK(parts(2) == parts(1));
+  CHECK(parts(4) == std::vector<Index>{0, 1, 2});
+  CHECK(deck.cell_sets.size() == 4);
+  CHECK(deck.cell_sets[2].members == std::vector<Index>{0});  // solids
+  CHECK(deck.cell_sets[3].members == std::vector<Index>{2});
+  REQUIRE(deck.segment_sets.size() == 1);
+  CHECK(deck.segment_sets[0].name == "top");
+  CHECK(deck.segment_sets[0].segments == Cells<4>{{4, 5, 6, 7}, {4, 5, 6, 6}});
+  CHECK(deck.warnings.empty());
+
+  const auto refused = [](const std::string& text, const std::string& sentence) {
+    CHECK_THROWS_WITH(read(cube + "*ELEMENT_SHELL\n1,1,1,2,3,4\n" + text), ContainsSubstring(sentence));
+  };
+  refused("*SET_NODE_ADD\n1\n2\n*SET_NODE_ADD\n2\n1\n",
+          "line 19: set 1 contains itself: take it out of one of the sets");
+  refused("*SET_PART_ADD\n1\n1\n", "line 16: set 1 contains itself");
+  refused("*SET_PART_ADD\n1\n2\n", "line 16: the set of parts 2 is not in the file");
+  refused("*SET_SHELL_ADD\n1\n2\n*SET_SOLID\n2\n", "line 16: the set of shells 2 is not in the file");
+  refused("*SET_NODE_GENERAL\n1\nBOX,2\n", "line 16: box 2 is not in the file");
+  refused("*SET_SEGMENT\n1\n1,2\n", "line 16: a segment has fewer than three corners");
+  refused("*SET_SEGMENT\n1\n1,2,99\n", "line 16: node 99 is not in the file");
+  std::string chain;  // as deep as a file may make it
+  for (int i = 1; i < 100'000; ++i)
+    chain += "*SET_NODE_ADD\n" + std::to_string(i) + "\n" + std::to_string(i + 1) + "\n";
+  CHECK(read(cube + "*ELEMENT_SHELL\n1,1,1,2,3,4\n" + chain + "*SET_NODE\n100000\n3\n").nodes(1) ==
+        std::vector<Index>{2});
+}
+
+TEST_CASE("dyna: the long and the I10 format, of the file or of a keyword") {
+  const auto line = [](std::size_t width, std::initializer_list<const char*> fields) {
+    std::string text;
+    for (const std::string field : fields) text += std::string(width - field.size(), ' ') + field;
+    return text + "\n";
+  };
+  const auto nodes = [&](std::size_t number, std::size_t coordinate) {
+    std::string text;
+    for (const char* node : {"1000", "1010", "1011", "1001"})
+      text += line(number, {node}).substr(0, number) +
+              line(coordinate, {node[2] == '1' ? "1" : "0", node[3] == '1' ? "1.e0" : "0", "0."});
+    return text;
+  };
+  const auto shell = [&](std::size_t width) { return line(width, {"7", "1", "1000", "1010", "1011", "1001"}); };
+  const auto part = [&](std::size_t width) { return "plate\n" + line(width, {"1", "8", "9"}); };
+  const auto expect = [](const std::string& text) {
+    INFO(text);
+    const DynaDeck deck = read(text);
+    CHECK(deck.mesh.nodes == std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    CHECK(deck.mesh.quadrilaterals == Cells<4>{{0, 1, 2, 3}});
+    CHECK(deck.part_cards[0].section == 8);
+  };
+  for (const char* keyword : {"*KEYWORD LONG=Y", "*keyword long=yes", "*KEYWORD  Long = k", "*KEYWORD 2000 LONG =Y"})
+    expect(std::string(keyword) + "\n*NODE\n" + nodes(20, 20) + "*ELEMENT_SHELL\n" + shell(20) + "*PART\n" + part(20));
+  for (const char* keyword : {"*KEYWORD I10=Y", "*KEYWORD i10 = yes"})
+    expect(std::string(keyword) + "\n*NODE\n" + nodes(10, 16) + "*ELEMENT_SHELL\n" + shell(10) + "*PART\n" + part(10));
+  for (const char* keyword : {"*KEYWORD LONG=S", "*KEYWORD I10=N", "*KEYWORD"})
+    expect(std::string(keyword) + "\n*NODE\n" + nodes(8, 16) + "*ELEMENT_SHELL\n" + shell(8) + "*PART\n" + part(10));
+  expect("*NODE +\n" + nodes(20, 20) + "*ELEMENT_SHELL %\n" + shell(10) + "*PART+\n" + part(20));
+  expect("*KEYWORD LONG=Y\n*NODE -\n" + nodes(8, 16) + "*ELEMENT_SHELL-\n" + shell(8) + "*PART\n" + part(20));
+  expect("*KEYWORD LONG=Y\n*NODE%\n" + nodes(10, 16) + "*ELEMENT_SHELL\n" + shell(20) + "*PART %\n" + part(10));
+}
+
+TEST_CASE("dyna: a node may be there again at its place") {
+  const DynaDeck deck = read(cube + "*NODE\n2,1.,0,0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n*NODE\n2,1,0,0\n5,,,1\n");
+  CHECK(deck.mesh.nodes.size() == 4);
+  CHECK(deck.node_numbers == std::vector<FileNumber>{1, 2, 3, 4});
+  CHECK(deck.warnings ==
+        std::vector<std::string>{"Nodes without an element (4, the first has the number 5) were dropped."});
+}
+
 TEST_CASE("dyna: a blank title is a title, and lines after the card of a part are its own") {
   const DynaDeck deck = read(cube + R"(*ELEMENT_SHELL
 1,1,1,2,3,4
@@ -201,8 +344,6 @@ TEST_CASE("dyna: what is wrong is told with its line") {
   };
   refused("", "the file has no keyword");
   refused("hello\n", "line 1: 'hello' stands before any keyword: begin the file with *KEYWORD.");
-  for (const char* keyword : {"*KEYWORD LONG=K", "*KEYWORD I10 = Y", "*KEYWORD  long = y", "*NODE  +"})
-    refused(std::string(keyword) + "\n", "line 1: the file is in the long or the I10 format");
   for (const char* keyword : {"*ELEMENT_SOLID_ORTHO", "*ELEMENT_SHELL_BETA", "*ELEMENT_SOLID_H20"})
     refused(cube + keyword + "\n", "is not read: write the elements as *ELEMENT_S");
   refused(cube + "*NODE_MERGE_SET\n1\n", "line 12: *NODE_MERGE_SET is not read: write the nodes as they are after it.");
@@ -213,19 +354,15 @@ TEST_CASE("dyna: what is wrong is told with its line") {
   refused("*EOS_GRUNEISEN\n,1\n", "line 2: an equation of state has no number");
   refused(cube + "*SET_NODE_LIST_GENERATE\n1\n5,1\n", "line 14: the range from 5 to 1 is empty");
   refused(cube + "*SET_NODE_LIST_GENERATE\n1\n1,3,5\n", "line 14: the range from 5 to 0 is empty");
-  refused(cube + "*SET_NODE_GENERAL\n1\nBOX,1\n", "line 14: the option 'BOX' of *SET_NODE_GENERAL is not read");
-  refused(cube + "*SET_NODE_ADD\n1\n1\n", "line 14: the set of nodes 1 is not in the file");
+  refused(cube + "*SET_NODE_GENERAL\n1\nVOL,1\n", "line 14: the option 'VOL' of *SET_NODE_GENERAL is not read");
+  refused(cube + "*SET_NODE_ADD\n1\n2\n", "line 14: the set of nodes 2 is not in the file");
   refused(cube + "*SET_NODE_COLUMN\n1\n1\n*BOUNDARY_SPC_SET\n1,0,1\n",
           "line 16: the set of nodes 1 is not among those read (*SET_NODE_COLUMN on line 12 was skipped)");
-  refused("*KEYWORD LONG=Y\n", "the file is in the long or the I10 format: write it in the standard one.");
-  refused("*NODE+\n", "the file is in the long or the I10 format");
-  refused("*NODE %\n", "the file is in the long or the I10 format");
-  refused("*NODE\n1,&x,0,0\n", "line 2: the coordinate '&x' is a parameter, which is not replaced");
   refused("*NODE\n  1 2 3   0.0\n", "line 2: the number of a node '1 2 3' is no whole number");
   refused("*NODE\n,0,0,0\n", "line 2: a node has no number: number from 1.");
   refused("*NODE\n-1,0,0,0\n", "line 2: the number of a node -1 is out of bounds");
   refused("*NODE\n1,0,0,0,8\n", "the constraint 8 of a node is none: give 0 to 7.");
-  refused("*NODE\n1,0,0,0\n1,0,0,0\n", "line 3: node 1 is on line 2 already");
+  refused("*NODE\n1,0,0,0\n1,0,0,1e-9\n", "line 3: node 1 is on line 2 already");
   refused(cube + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,9\n", "line 13: element 1 names node 9, which is not in the file");
   refused(cube + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,5,6,6\n", "line 13: element 1 is a wedge");
   refused(cube + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8,1,2\n", "line 13: element 1 is a tetrahedron of ten nodes");

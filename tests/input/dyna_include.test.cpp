@@ -118,3 +118,73 @@ TEST_CASE("dyna include: cycles, depth, number and place are bounded") {
           i < 20 ? "*INCLUDE\n" + std::to_string(i + 1) + "\n" + std::to_string(i + 1) + "\n" : "*TITLE\n");
   CHECK_THAT(sentence_of(folder / "bomb/0"), ContainsSubstring("more than 10000 files are included"));
 }
+
+TEST_CASE("dyna include: a transformed file has its own numbers, and its nodes where they belong") {
+  const ScratchFolder folder("include-transform");
+  write(folder / "mesh.k", "*NODE\n1,0,0,0,1\n2,1,0,0\n3,1,1,0\n4,0,1,0\n" + shell +
+                               "*PART\nplate\n1,2,3,4,5\n*SET_NODE\n6\n1,2\n*SET_NODE_ADD\n7\n6\n*SET_PART\n8\n1\n"
+                               "*MAT_ELASTIC\n3,1,1\n*SECTION_SHELL\n2\n.1\n*HOURGLASS\n5\n*EOS_GRUNEISEN\n4,1.\n");
+  const std::string turn =
+      "*DEFINE_TRANSFORMATION\n9\nSCALE,2,,2\nPOINT,1,1,0,0\nPOINT,2,1,0,5\nROTATE,1,2,90\nTRANSL,0,0,10\n";
+  write(folder / "held.k", "*INCLUDE_TRANSFORM\nmesh.k\n\n\n\n1\n*DEFINE_TRANSFORMATION\n1\nTRANSL,1,2,3\nSCALE,1,3\n");
+  write(folder / "around.k", "*INCLUDE_TRANSFORM\nheld.k\n100,,,,,,9\n,,far\n,,10.\n");
+
+  write(folder / "deck.k",
+        nodes + shell + "*INCLUDE_TRANSFORM\nmesh.k\n10,20,30,40,50,60,8\n70,,left,end\n\n9\n" + turn);
+  CHECK_THAT(sentence_of(folder / "deck.k"),
+             ContainsSubstring("mesh.k', line 2: TC or RC holds a node that its file's"));
+  write(folder / "mesh.k", content_of(folder / "mesh.k").replace(13, 2, ""));
+  const DynaDeck deck = read_dyna(folder / "deck.k");
+  CHECK(deck.node_numbers == std::vector<FileNumber>{1, 2, 3, 4, 11, 12, 13, 14});
+  CHECK(deck.cell_numbers == std::vector<FileNumber>{1, 21});
+  CHECK(deck.part("left.plate.end").quadrilaterals.size() == 1);
+  CHECK(deck.part(31).nodes() == std::vector<Index>{4, 5, 6, 7});
+  CHECK(deck.nodes(57) == std::vector<Index>{4, 5});
+  CHECK(deck.part_sets[0].number == 58);
+  CHECK(deck.material<Elastic>(31).density == 1);
+  CHECK(deck.materials[0].number == 43);
+  CHECK(deck.equations_of_state[0].number == 44);
+  CHECK(deck.section(31).number == 72);
+  CHECK(deck.hourglass(31).number == 75);
+  // (x, y, z) to (2x, y, 2z), about the axis (1, 0, z) to (1 - y, 2x - 1, 2z), then up; to rounding.
+  for (Index n = 0; n < 4; ++n) {
+    const Eigen::Vector3d x = deck.mesh.nodes[n];
+    CHECK((deck.mesh.nodes[n + 4] - Eigen::Vector3d(1 - x.y(), 2 * x.x() - 1, 2 * x.z() + 10)).norm() < 1e-14);
+  }
+
+  write(folder / "mesh.k", nodes + shell + "*PART\nplate\n1\n");
+  const DynaDeck scaled = read_dyna(folder / "held.k");
+  CHECK(scaled.mesh.nodes[2] == Eigen::Vector3d(2, 9, 3));  // moved, then scaled
+  write(folder / "held.k", "*INCLUDE_TRANSFORM\nmesh.k\n1\n,,deep\n");
+  const DynaDeck around = read_dyna(folder / "around.k");
+  CHECK(around.mesh.nodes[2] == Eigen::Vector3d(10, 10, 0));
+  CHECK(around.node_numbers.front() == 102);
+  CHECK(around.parts[0].name == "far.deep.plate");
+}
+
+TEST_CASE("dyna include: a transformation that cannot be done rightly is refused") {
+  const ScratchFolder folder("include-refused");
+  write(folder / "mesh.k", nodes + shell);
+  const auto refused = [&](const std::string& included, const std::string& cards, const std::string& sentence) {
+    write(folder / "part.k", included);
+    write(folder / "deck.k", "*INCLUDE\nmesh.k\n*INCLUDE_TRANSFORM\npart.k\n" + cards);
+    CHECK_THAT(sentence_of(folder / "deck.k"), ContainsSubstring(sentence));
+  };
+  const std::string turn = "\n\n\n1\n*DEFINE_TRANSFORMATION\n1\n";
+  refused("*MAT_ELASTIC\n1,1,1\n", "\n\n,,1e3\n", "part.k', line 1: *MAT_ELASTIC is not converted by FCTMAS, FCTTIM");
+  refused("*RIGIDWALL_PLANAR\n\n0,0,0,0,0,1\n", turn + "TRANSL,1\n", "*RIGIDWALL_PLANAR is not moved by TRANID");
+  refused("*NODE\n9,1\n", "\n\n\n7\n", "line 8: transformation 7 is not in the file");
+  refused("*NODE\n9,1\n", turn + "SCALE,-1\n", "line 8: transformation 1 mirrors, which turns cells inside out");
+  refused("*NODE\n9,1\n", turn + "MIRROR,1\n", "line 11: the option 'MIRROR' of *DEFINE_TRANSFORMATION is not read");
+  refused("*NODE\n9,1\n", turn + "ROTATE,0,0,0,1,1,1,30\n", "line 11: the axis of ROTATE has no direction");
+  refused("*NODE\n9,1\n", turn + "ROTATE,1,2,30\n", "line 11: point 1 is not defined above");
+  refused("*NODE\n9,1e300\n", turn + "SCALE,1e300\n", "part.k', line 2: the node is moved out of all bounds");
+  refused("*NODE\n9,1\n", turn + "SCALE,1e300\nSCALE,1e300\n", "line 12: the transformation is not finite");
+  refused("*NODE\n9,1\n", "\n\n,,2.\n7\n", "FCTLEN and TRANID together are not read");
+  refused("*NODE\n9,1\n", "\n\n-1\n", "a factor of units is not positive");
+  refused("*NODE\n9,1\n", "\n\n,,,FtoC\n", "FCTTEM 'FtoC' is not read");
+  refused("*NODE\n9,1\n", "-9\n",
+          "part.k', line 2: the number of a node 9 with the offset of its file is out of bounds");
+  refused("*NODE\n9,1\n", "1e15\n", "IDNOFF 1000000000000000 is out of bounds");
+  refused("*NODE\n3,1\n", "", "part.k', line 2: node 3 is on line 4 of");
+}

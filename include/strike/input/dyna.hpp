@@ -9,8 +9,11 @@
 #include <strike/input/dyna/loads.hpp>
 #include <strike/input/dyna/materials.hpp>
 #include <strike/input/dyna/mesh.hpp>
+#include <strike/input/dyna/parameter_cards.hpp>
 #include <strike/input/dyna/resolved.hpp>
 #include <strike/input/dyna/sections.hpp>
+#include <strike/input/dyna/sets.hpp>
+#include <strike/input/dyna/transformations.hpp>
 #include <strike/input/dyna_cards.hpp>
 #include <strike/input/source.hpp>
 
@@ -19,13 +22,25 @@ namespace detail::dyna {
 
 /// The reader of a keyword's cards; null if there is none.
 inline const Keyword* find_keyword(std::string_view name) {
-  const Keyword* found = nullptr;
+  const Keyword* found = parameter_keyword(name);
   const auto search = [&](const auto& keywords) {
     for (const Keyword& keyword : keywords)
       if (keyword.name == name) found = &keyword;
   };
-  search(mesh_keywords), search(material_keywords), search(section_keywords), search(load_keywords);
+  search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
+  search(section_keywords), search(load_keywords);
   return found;
+}
+/// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.
+inline void expect_invariant(const Keyword& keyword, const File& file) {
+  if (keyword.invariant == Invariant::everywhere || file.motion() == 0) return;
+  const Motion& motion = file.motions()[file.motion() - 1];
+  if (motion.has_units)
+    file.refuse({file.name(),
+                 " is not converted by FCTMAS, FCTTIM and FCTLEN: give it in the units of the deck, in "
+                 "a file without them."});
+  if (keyword.invariant == Invariant::none)
+    file.refuse({file.name(), " is not moved by TRANID: write it as it should be, in a file without it."});
 }
 /// Passes a keyword that is not read. Error: the mesh would be another one without it.
 inline void pass_keyword(File& file) {
@@ -54,10 +69,12 @@ inline DynaDeck read_dyna(std::string_view text, const std::string& name, const 
     detail::dyna::File file(detail::Source(text, name, options));
     detail::dyna::Draft draft;
     while (file.next_keyword()) {
-      if (const auto* const keyword = detail::dyna::find_keyword(file.base()))
+      if (const auto* const keyword = detail::dyna::find_keyword(file.base())) {
+        detail::dyna::expect_invariant(*keyword, file);
         keyword->read(file, draft);
-      else
+      } else {
         detail::dyna::pass_keyword(file);
+      }
     }
     return detail::dyna::resolved(std::move(draft), file);
   });

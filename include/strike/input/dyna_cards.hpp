@@ -139,6 +139,13 @@ struct ContactCard {
   double static_friction = 0, dynamic_friction = 0, decay = 0;  ///< FS, FD, DC: FD + (FS - FD) exp(-DC v)
 };
 
+/// *SET_SEGMENT: faces by their corners; a triangle repeats its last one.
+struct SegmentSet {
+  FileNumber number;
+  std::string name;
+  std::vector<std::array<Index, 4>> segments;
+};
+
 /// An LS-DYNA deck: its mesh and its cards. The cards of a part are found by its name or number.
 struct DynaDeck : Deck {
   std::vector<PartCard> part_cards = {};
@@ -150,7 +157,8 @@ struct DynaDeck : Deck {
   std::vector<VelocityCard> velocities = {};
   std::vector<WallCard> walls = {};
   std::vector<ContactCard> contacts = {};
-  std::vector<NamedSet> part_sets = {};             ///< members are places in `parts`
+  std::vector<NamedSet> part_sets = {};  ///< members are places in `parts`
+  std::vector<SegmentSet> segment_sets = {};
   double end_time = 0;                              ///< ENDTIM, 0 if there is none [time]
   double step_factor = 0;                           ///< TSSFAC, 0 if there is none
   std::array<double, 2> bulk_viscosity{1.5, 0.06};  ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear

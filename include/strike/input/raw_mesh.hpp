@@ -140,6 +140,7 @@ struct RawMesh {
   std::vector<NamedSet> parts = {};
   std::vector<Set> node_sets = {}, element_sets = {};
   std::vector<FileNumber> ignored_elements = {};  ///< of kinds that are no cells; sets may hold them
+  bool repeats_nodes = false;                     ///< a node may be there again, at the same place
 };
 
 constexpr std::size_t corner_count(RawMesh::Shape shape) {
@@ -235,6 +236,19 @@ inline Finished finished(RawMesh raw, const Source& source) {
   numbers.reserve(raw.nodes.size());
   for (const RawMesh::Node& node : raw.nodes) numbers.push_back(node.number);
   result.file_nodes = Numbering(std::move(numbers));
+  if (raw.repeats_nodes && result.file_nodes.twice() != nothing) {
+    const auto is_again = [&](std::size_t n) {
+      const Index first = result.file_nodes.find(raw.nodes[n].number);
+      return first != n && raw.nodes[first].x == raw.nodes[n].x;
+    };
+    std::vector<RawMesh::Node> once;
+    for (std::size_t n = 0; n < raw.nodes.size(); ++n)
+      if (!is_again(n)) once.push_back(raw.nodes[n]);
+    raw.nodes = std::move(once);
+    numbers.clear();
+    for (const RawMesh::Node& node : raw.nodes) numbers.push_back(node.number);
+    result.file_nodes = Numbering(std::move(numbers));
+  }
   if (const Index n = result.file_nodes.twice(); n != nothing) {
     const RawMesh::Node& twin = raw.nodes[result.file_nodes.find(raw.nodes[n].number)];
     source.refuse(raw.nodes[n].line,

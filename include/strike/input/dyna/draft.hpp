@@ -1,10 +1,14 @@
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include <strike/input/dyna/file.hpp>
 #include <strike/input/dyna_cards.hpp>
@@ -13,11 +17,12 @@
 namespace strike::detail::dyna {
 
 /// Nodes that a card names, found when the whole file has been read.
-enum class Named { all, node, set, part, part_set };
+enum class Named { all, node, set, part, part_set, box };
 struct Choice {
   Named named;
   FileNumber number;
   std::uint32_t line;
+  bool removes = false;  ///< takes the nodes out of the set again
 };
 
 /// A card and the choice of its nodes.
@@ -37,11 +42,39 @@ struct PendingContact {
   std::uint32_t line;
 };
 
-/// A set of nodes that names others by their parts or sets.
+/// A set that names others, or nodes by their parts.
 struct PendingSet {
   FileNumber number;
   std::string name;
+  std::uint32_t line;
   std::vector<Choice> choices;
+};
+struct PendingSegments {
+  struct Segment {
+    std::array<FileNumber, 4> corners;
+    std::uint32_t line;
+  };
+  FileNumber number;
+  std::string name;
+  std::vector<Segment> segments;
+};
+
+/// *DEFINE_BOX, along the axes.
+struct Box {
+  Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = Eigen::Vector3d::Zero();
+};
+
+/// Nodes from `first` to below `last` in the file, and what moves them: a place in the motions of the file, plus 1.
+struct MovedNodes {
+  std::uint32_t motion;
+  std::size_t first, last;
+  std::uint32_t held;  ///< a line that holds one of them by TC or RC; 0 if there is none
+};
+
+/// *DEFINE_TRANSFORMATION: x becomes A x + b.
+struct Transformation {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
 };
 
 /// The input, keyword by keyword; `resolved` makes a deck of it.
@@ -50,7 +83,12 @@ struct Draft {
   RawMesh raw = {};
   std::map<FileNumber, std::uint32_t> parts = {};  ///< their places in the deck
   std::vector<RawMesh::Set> part_sets = {};
-  std::vector<PendingSet> general_sets = {};
+  std::map<std::pair<FileNumber, FileNumber>, std::size_t> cell_sets = {};  ///< places in `raw` by scope and number
+  std::vector<PendingSet> general_sets = {}, part_sums = {}, solid_sums = {}, shell_sums = {};
+  std::vector<PendingSegments> segment_sets = {};
+  std::map<FileNumber, Box> boxes = {};
+  std::map<FileNumber, Transformation> transformations = {};
+  std::vector<MovedNodes> moved = {};
   std::map<std::pair<std::string_view, FileNumber>, std::uint32_t> defined = {};  ///< lines of cards by kind, number
   std::vector<Pending<SupportCard>> node_supports = {};                           ///< one for each way of being held
   std::vector<Pending<SupportCard>> set_supports = {};
@@ -68,8 +106,8 @@ struct Draft {
     return place->second;
   }
   /// The number that a card defines. Errors: it has none; another card of its kind has it.
-  FileNumber own_number(std::string_view kind, Card& card, const File& file) {
-    const FileNumber number = card.own_tag(joined({"the number of a ", kind}), kind);
+  FileNumber own_number(std::string_view kind, Id id, Card& card, const File& file) {
+    const FileNumber number = card.own_tag(joined({"the number of a ", kind}), kind, id);
     const auto [known, is_new] = defined.try_emplace({kind, number}, file.line());
     if (!is_new)
       file.refuse({kind, " ", std::to_string(number), " is on line ",
@@ -85,10 +123,14 @@ struct Draft {
   }
 };
 
+/// True of cards that mean the same in other units, and of those that do in a scene that is moved.
+enum class Invariant { none, moved, everywhere };
+
 /// A keyword and the reader of its cards.
 struct Keyword {
   std::string_view name;  ///< without _TITLE and _ID
   void (*read)(File&, Draft&);
+  Invariant invariant = Invariant::moved;
 };
 
 }  // namespace strike::detail::dyna

@@ -1,123 +1,74 @@
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include <strike/input/dyna/card.hpp>
 #include <strike/input/source.hpp>
 
 namespace strike::detail::dyna {
 
-/// A data line: fields of fixed widths, or between commas. A field that is 0, blank or missing has the fallback.
-class Card {
- public:
-  Card(std::string_view line, const Source& source)
-      : rest_(line), source_(&source), commas_(line.find(',') != line.npos) {}
-
-  std::string_view text(std::size_t width = 10) {
-    if (commas_) return trimmed(taken(rest_, ','));
-    const std::string_view field = rest_.substr(0, width);
-    rest_.remove_prefix(field.size());
-    return trimmed(field);
-  }
-  double number(std::string_view meaning, double fallback = 0, std::size_t width = 10) {
-    const std::string_view field = text(width);
-    const double value = field.empty() ? 0 : source_->number(field, meaning);
-    return value == 0 ? fallback : value;
-  }
-  FileNumber integer(std::string_view meaning, FileNumber fallback = 0, std::size_t width = 10) {
-    const std::string_view field = text(width);
-    const FileNumber value = field.empty() ? 0 : source_->integer(field, meaning);
-    return value == 0 ? fallback : value;
-  }
-  /// The number of a node, part or card in the file; 0 for none, if it is blank.
-  FileNumber tag(std::string_view meaning, std::size_t width = 10) {
-    const std::string_view field = text(width);
-    return field.empty() ? 0 : source_->tag(field, meaning, 0);
-  }
-  /// The number that the card defines.
-  FileNumber own_tag(std::string_view meaning, std::string_view thing, std::size_t width = 10) {
-    const FileNumber number = tag(meaning, width);
-    if (number == 0) source_->refuse({thing[0] == 'e' ? "an " : "a ", thing, " has no number: number from 1."});
-    return number;
-  }
-  double positive(std::string_view meaning) {
-    const double value = number(meaning);
-    if (!(value > 0)) source_->refuse({meaning, " is not positive: give the material its ", meaning, "."});
-    return value;
-  }
-  Eigen::Vector3d vector(std::string_view meaning) {
-    const double x = number(meaning), y = number(meaning), z = number(meaning);
-    return {x, y, z};
-  }
-  void pass(std::size_t fields) {
-    while (fields-- > 0) text();
-  }
-  /// The rest of the line, without conversion.
-  std::string_view rest() const { return trimmed(rest_); }
-  bool is_blank() const { return rest().empty(); }
-  /// True if a field that was not read is neither blank nor 0.
-  bool says_more() {
-    while (!rest_.empty())
-      if (const std::string_view field = text(); !field.empty() && to_number(field) != 0.0) return true;
-    return false;
-  }
-
- private:
-  std::string_view rest_;
-  const Source* source_;
-  bool commas_;
+/// What *INCLUDE_TRANSFORM does to the nodes of a file: TRANID and FCTLEN, then the motion of the file around it.
+struct Motion {
+  FileNumber transformation;  ///< 0 for none
+  double length;
+  bool has_units;       ///< of this or a file around it
+  std::uint32_t outer;  ///< place plus 1 of the motion of the including file; 0 for none
+  std::uint32_t line;
 };
 
 /// A file, keyword by keyword and card by card (LS-DYNA Keyword User's Manual R13, volume I, "Getting started").
 class File {
  public:
-  explicit File(Source source) : source_(std::move(source)) {}
+  explicit File(Source source) : context_{std::move(source)} {}
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
 
   /// Goes to the next keyword, past the cards that are left and through included files. False at *END and at the end.
-  /// Error: there is no keyword; a keyword for another format; a file that is not there.
+  /// Error: there is no keyword; a file that is not there.
   bool next_keyword() {
     if (!name_.empty() && !is_include()) pass_further_cards();
     std::string_view line;
     while (true) {
-      if (is_include() && name_ != "*END") include_files();
-      if (name_ == "*END" || !source_.next(line)) {
+      if (is_include()) include_files();
+      if (name_ == "*END" || !context_.source.next(line)) {
         if (!any_) refuse({"the file has no keyword: give an LS-DYNA keyword file."});
-        if (!source_.leave()) return false;
-        name_ = std::move(outer_names_.back()), outer_names_.pop_back();
+        if (!leave()) return false;
         continue;
       }
       if (line.empty() || line[0] == '$' || trimmed(line).empty()) continue;
       if (line[0] != '*') refuse({shown(line), " stands before any keyword: begin the file with *KEYWORD."});
       any_ = true;
-      begin(upper(trimmed(line)));
+      begin(upper(trimmed(line.find('&') == line.npos ? std::string(line) : context_.parameters.replaced(line))));
       if (!is_include()) return true;
     }
   }
   /// The keyword as in the file, and without _TITLE or _ID.
   const std::string& name() const { return name_; }
   std::string_view base() const { return base_; }
+  /// True for *SET_..._COLLECT: sets of one number are one.
+  bool collects() const { return collects_; }
   /// Skips the cards of a keyword that is not read.
   void skip() {
-    skipped_.add(name_.substr(0, 60), source_.line());
+    skipped_.add(name_.substr(0, 60), context_.source.line());
     is_skipped_ = true;
   }
   /// Counts the elements of a keyword that is not read, a line each.
   void ignore_elements() {
     is_skipped_ = true;
-    for_each_card([&](const Card&) { ignored_.add(joined({"Elements of ", base_}), source_.line()); });
+    for_each_card([&](const Card&) { ignored_.add(joined({"Elements of ", base_}), context_.source.line()); });
   }
   /// The first keyword with this beginning that was skipped, with its line; empty if there is none.
-  std::string skipped(std::string_view beginning) const { return skipped_.place_of(beginning, source_); }
+  std::string skipped(std::string_view beginning) const { return skipped_.place_of(beginning, context_.source); }
 
   /// The next card of the keyword; a blank one if there is none.
   Card card() {
     std::string_view line;
-    return next_line(line) ? Card(line, source_) : Card({}, source_);
+    return next_line(line) ? Card(line, context_) : Card({}, context_);
   }
   bool pass_card() {
     std::string_view line;
@@ -128,7 +79,14 @@ class File {
   void for_each_card(F f) {
     std::string_view line;
     while (next_line(line))
-      if (!trimmed(line).empty()) f(Card(line, source_));
+      if (!trimmed(line).empty()) f(Card(line, context_));
+  }
+  /// Calls f with each line that is left and is not blank.
+  template <class F>
+  void for_each_line(F f) {
+    std::string_view line;
+    while (next_line(line))
+      if (!trimmed(line).empty()) f(line);
   }
   /// Calls f with each heading, which may be blank, and the card after it.
   template <class F>
@@ -137,45 +95,66 @@ class File {
     while (next_line(heading)) {
       line = {};
       next_line(line);
-      if (!trimmed(heading).empty() || !trimmed(line).empty()) f(trimmed(heading), Card(line, source_));
+      if (!trimmed(heading).empty() || !trimmed(line).empty()) f(named(trimmed(heading)), Card(line, context_));
     }
   }
   /// Calls f with each card that is left, of a keyword with _TITLE or _ID after its title.
   template <class F>
   void for_each_titled_card(F f) {
     if (titled_)
-      for_each_headed_card([&](std::string_view, const Card& card) { f(card); });
+      for_each_headed_card([&](const std::string&, const Card& card) { f(card); });
     else
       for_each_card(f);
   }
   /// The next line as a text.
   std::string heading() { return std::string(card().rest()); }
   /// The title that stands before the cards of a keyword with _TITLE or _ID.
-  std::string title() { return titled_ ? heading() : std::string(); }
+  std::string title() { return titled_ ? named(card().rest()) : std::string(); }
+
+  Parameters& parameters() { return context_.parameters; }
+  std::size_t width(std::size_t standard) const { return context_.width(standard); }
+  ExpressionValue evaluated(std::string_view expression) const { return context_.parameters.evaluated(expression); }
+  /// The place in `motions` of what moves the nodes of the file being read, plus 1; 0 if nothing does.
+  std::uint32_t motion() const { return here_.motion; }
+  const std::vector<Motion>& motions() const { return motions_; }
 
   /// Lists a value that has no counterpart here, unless it is 0.
   void ignore(double value, std::string_view what) {
-    if (value != 0) values_.add(joined({what, " of ", name_}), source_.line());
+    if (value != 0) values_.add(joined({what, " of ", name_}), context_.source.line());
   }
   /// Lists fields of cards that were not read and are neither blank nor 0.
   template <class... Cards>
   void ignore_rest(Cards&... cards) {
     (ignore(cards.says_more(), "Further fields"), ...);
   }
+  void ignore_here(std::string_view what) { values_.add(what, context_.source.line()); }
   void ignore_on_line(std::uint32_t line, std::string_view what) { values_.add(what, line); }
 
-  const Source& source() const { return source_; }
-  std::uint32_t line() const { return source_.line(); }
-  [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const { source_.refuse(what); }
+  const Source& source() const { return context_.source; }
+  std::uint32_t line() const { return context_.source.line(); }
+  [[noreturn, gnu::cold]] void refuse(std::initializer_list<std::string_view> what) const {
+    context_.source.refuse(what);
+  }
 
   void tell(std::vector<std::string>& warnings) const {
-    skipped_.tell(warnings, " was skipped: ", &source_);
-    ignored_.tell(warnings, " were ignored: ", &source_);
-    values_.tell(warnings, " had no effect: ", &source_);
+    skipped_.tell(warnings, " was skipped: ", &context_.source);
+    ignored_.tell(warnings, " were ignored: ", &context_.source);
+    values_.tell(warnings, " had no effect: ", &context_.source);
   }
 
  private:
+  /// What an included file changes until its end.
+  struct Surroundings {
+    std::string name = {};  ///< the keyword that includes the file
+    Format format = Format::standard;
+    Offsets offsets = {};
+    std::uint32_t motion = 0;
+    std::string prefix = {}, suffix = {};  ///< of titles
+  };
+
   bool is_include() const { return name_.starts_with("*INCLUDE"); }
+  std::string named(std::string_view title) const { return joined({here_.prefix, title, here_.suffix}); }
+
   /// The name of a file or folder, which goes on after " +" at the end of a line. False after the last one.
   bool next_path(std::string& path) {
     path.clear();
@@ -184,8 +163,9 @@ class File {
       line = trimmed(line);
       const bool goes_on = line.ends_with(" +");
       path += trimmed(goes_on ? line.substr(0, line.size() - 1) : line);
-      if (!goes_on && !path.empty()) return true;
+      if (!goes_on && !path.empty()) break;
     }
+    if (path.find('&') != path.npos) path = context_.parameters.replaced(path);
     return !path.empty();
   }
   /// Goes into the next file that the keyword names, or notes the folders that it names.
@@ -195,21 +175,74 @@ class File {
     if (relative || name_ == "*INCLUDE_PATH") {
       while (next_path(path)) {
         std::replace(path.begin(), path.end(), '\\', '/');
-        folders_.push_back(path.starts_with('/') ? path : joined({source_.folder(), "/", path}));
+        folders_.push_back(path.starts_with('/') ? path : joined({context_.source.folder(), "/", path}));
       }
-    } else if (name_ == "*INCLUDE") {
-      if (next_path(path)) {
-        source_.include(path, folders_);
-        outer_names_.push_back(std::exchange(name_, {}));
-      }
+    } else if (name_ == "*INCLUDE" || name_ == "*INCLUDE_TRANSFORM") {
+      if (!next_path(path)) return;
+      Surroundings inner = here_;
+      inner.format = context_.format;
+      Offsets offsets = context_.offsets;
+      if (name_ == "*INCLUDE_TRANSFORM") transform(inner, offsets);
+      context_.source.include(path, folders_);
+      context_.parameters.enter();
+      outer_.push_back(std::move(here_));
+      outer_.back().name = std::exchange(name_, {});
+      outer_.back().format = context_.format;
+      outer_.back().offsets = context_.offsets;
+      here_ = std::move(inner), context_.offsets = offsets, context_.format = keyword_format_ = here_.format;
     } else {
       refuse({name_, " is not read, and takes more or less from a file than its text: write the cards that it gives."});
     }
   }
+  /// The cards of *INCLUDE_TRANSFORM after the name of the file.
+  void transform(Surroundings& inner, Offsets& offsets) {
+    const auto add = [&](Card& from, Id id, std::string_view meaning) {
+      FileNumber& offset = offsets[static_cast<std::size_t>(id)];
+      const FileNumber more = from.integer(meaning);
+      if (std::abs(more) >= number_limit || std::abs(offset + more) >= number_limit)
+        refuse({meaning, " ", std::to_string(more), " is out of bounds: give less than 10^12."});
+      offset += more;
+    };
+    Card first = card();
+    add(first, Id::node, "IDNOFF"), add(first, Id::element, "IDEOFF"), add(first, Id::part, "IDPOFF");
+    add(first, Id::material, "IDMOFF"), add(first, Id::set, "IDSOFF"), add(first, Id::curve, "IDFOFF");
+    add(first, Id::define, "IDDOFF");
+    Card second = card();
+    add(second, Id::other, "IDROFF");
+    second.pass(1);
+    if (const std::string prefix(second.text()); !prefix.empty()) inner.prefix += prefix + ".";
+    if (const std::string suffix(second.text()); !suffix.empty()) inner.suffix = "." + suffix + inner.suffix;
+    Card units = card();
+    const double mass = units.number("FCTMAS", 1), time = units.number("FCTTIM", 1), length = units.number("FCTLEN", 1);
+    const std::string_view temperature = units.text();
+    if (!(mass > 0) || !(time > 0) || !(length > 0))
+      refuse({"a factor of units is not positive: give FCTMAS, FCTTIM and FCTLEN above 0."});
+    if (!temperature.empty() && to_number(temperature) != 1.0 && to_number(temperature) != 0.0)
+      refuse({"FCTTEM ", shown(temperature), " is not read: convert the temperatures in the included file."});
+    const FileNumber transformation = card().tag("TRANID", Id::define);
+    const std::uint32_t line = context_.source.line();
+    if (transformation != 0 && length != 1)
+      refuse(
+          {"FCTLEN and TRANID together are not read: scale the included file, or add a SCALE to the transformation."});
+    if (transformation == 0 && mass == 1 && time == 1 && length == 1) return;
+    const bool outer_has_units = inner.motion != 0 && motions_[inner.motion - 1].has_units;
+    motions_.push_back(
+        {transformation, length, outer_has_units || mass != 1 || time != 1 || length != 1, inner.motion, line});
+    inner.motion = static_cast<std::uint32_t>(motions_.size());
+  }
+  bool leave() {
+    if (!context_.source.leave()) return false;
+    context_.parameters.leave();
+    here_ = std::move(outer_.back()), outer_.pop_back();
+    name_ = std::exchange(here_.name, {});
+    context_.format = keyword_format_ = here_.format;
+    context_.offsets = here_.offsets;
+    return true;
+  }
   /// The next data line of the keyword, without comments.
   bool next_line(std::string_view& line) {
-    while (source_.peek() != '\0' && source_.peek() != '*') {
-      source_.next(line);
+    while (context_.source.peek() != '\0' && context_.source.peek() != '*') {
+      context_.source.next(line);
       if (line.empty() || line[0] != '$') return true;
     }
     return false;
@@ -217,7 +250,7 @@ class File {
   void pass_further_cards() {
     std::string_view line;
     if (!next_line(line)) return;
-    const std::uint32_t at = source_.line();
+    const std::uint32_t at = context_.source.line();
     bool blank = trimmed(line).empty();
     while (next_line(line)) blank &= trimmed(line).empty();
     if (!is_skipped_ && !blank) values_.add(joined({"What follows the cards of ", name_}), at);
@@ -225,14 +258,24 @@ class File {
   void begin(const std::string& line) {
     name_ = line.substr(0, line.find_first_of(" \t,"));
     is_skipped_ = false;
-    if (name_.back() == '-') name_.pop_back();
     std::string packed;
     for (const char c : line)
       if (!detail::is_blank(c)) packed += c;
-    const auto has = [&](std::string_view option) { return packed.find(option) != packed.npos; };
-    if (packed.ends_with('+') || packed.ends_with('%') ||
-        (name_ == "*KEYWORD" && (has("LONG=Y") || has("LONG=K") || has("I10=Y"))))
-      refuse({"the file is in the long or the I10 format: write it in the standard one."});
+    const char last = packed.back();
+    while (name_.size() > 1 && (name_.back() == '-' || name_.back() == '+' || name_.back() == '%')) name_.pop_back();
+    if (name_ == "*KEYWORD") {
+      const auto has = [&](std::string_view option) { return packed.find(option) != packed.npos; };
+      if (has("LONG=Y") || has("LONG=K"))
+        keyword_format_ = Format::wide;
+      else if (has("I10=Y"))
+        keyword_format_ = Format::i10;
+      else if (has("LONG=") || has("I10="))
+        keyword_format_ = Format::standard;
+    }
+    context_.format = last == '+'   ? Format::wide
+                      : last == '%' ? Format::i10
+                      : last == '-' ? Format::standard
+                                    : keyword_format_;
     base_ = name_;
     const auto drop = [&](std::string_view option) {
       const bool found = base_.size() > option.size() && base_.ends_with(option);
@@ -242,14 +285,19 @@ class File {
     const bool contact = base_.starts_with("*CONTACT_");
     const bool has_id = contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_");
     titled_ = (has_id && drop("_ID")) || ((contact || !has_id) && drop("_TITLE"));
+    collects_ = base_.starts_with("*SET_") && drop("_COLLECT");
+    if (collects_) titled_ |= drop("_TITLE");
   }
 
-  Source source_;
+  Context context_;
   std::string name_ = {}, base_ = {};
-  std::vector<std::string> outer_names_ = {};  ///< the keywords that include the files being read
-  std::vector<std::string> folders_ = {};      ///< of *INCLUDE_PATH
+  Surroundings here_ = {};
+  std::vector<Surroundings> outer_ = {};
+  std::vector<Motion> motions_ = {};
+  Format keyword_format_ = Format::standard;  ///< of the keywords that have no sign of their own
+  std::vector<std::string> folders_ = {};     ///< of *INCLUDE_PATH
   bool any_ = false;
-  bool titled_ = false, is_skipped_ = false;
+  bool titled_ = false, collects_ = false, is_skipped_ = false;
   Skipped skipped_ = {}, ignored_ = {}, values_ = {};
 };
 

@@ -13,7 +13,7 @@ template <class F>
 void supports(Named named, File& file, F f) {
   file.for_each_titled_card([&](Card card) {
     const char* const field = named == Named::node ? "NID" : "NSID";
-    const Choice choice{named, card.tag(field), file.line()};
+    const Choice choice{named, card.tag(field, named == Named::node ? Id::node : Id::set), file.line()};
     const double system = card.number("CID");
     file.ignore(system, "CID");
     SupportCard support{};
@@ -35,7 +35,7 @@ inline void set_supports(File& file, Draft& draft) {
 inline Choice set_or_all(FileNumber set, std::uint32_t line) { return {set == 0 ? Named::all : Named::set, set, line}; }
 inline void velocity(File& file, Draft& draft) {
   Card card = file.card(), values = file.card();
-  const FileNumber set = card.tag("NSID");
+  const FileNumber set = card.tag("NSID", Id::set);
   for (const char* what : {"NSIDEX", "BOXID", "IRIGID", "ICID"}) file.ignore(card.number(what), what);
   const VelocityCard velocity{{}, values.vector("VX to VZ")};
   file.ignore(values.vector("VXR to VZR").norm(), "VXR to VZR");
@@ -44,7 +44,7 @@ inline void velocity(File& file, Draft& draft) {
 /// One card for successive nodes of the same velocity.
 inline void node_velocities(File& file, Draft& draft) {
   file.for_each_card([&](Card card) {
-    const Choice node{Named::node, card.own_tag("NID", "velocity"), file.line()};
+    const Choice node{Named::node, card.own_tag("NID", "velocity", Id::node), file.line()};
     const VelocityCard velocity{{}, card.vector("VX to VZ")};
     file.ignore(card.vector("VXR to VZR").norm(), "VXR to VZR");
     file.ignore(card.number("ICID"), "ICID");
@@ -57,7 +57,10 @@ inline void node_velocities(File& file, Draft& draft) {
 inline void generated_velocities(File& file, Draft& draft) {
   file.for_each_card([&](Card card) {
     const std::uint32_t line = file.line();
-    const FileNumber number = card.tag("ID"), kind = card.integer("STYP");
+    Card later = card;
+    later.pass(1);
+    const FileNumber kind = later.integer("STYP"), number = card.tag("ID", kind == 2 ? Id::part : Id::set);
+    card.pass(1);
     const double omega = card.number("OMEGA");
     VelocityCard velocity{{}, card.vector("VX to VZ")};
     Card turn = file.card();
@@ -85,7 +88,7 @@ inline void wall(File& file, Draft& draft) {
   file.title();
   Card card = file.card();
   const std::uint32_t line = file.line();
-  const FileNumber set = card.tag("NSID");
+  const FileNumber set = card.tag("NSID", Id::set);
   for (const char* what : {"NSIDEX", "BOXID", "OFFSET", "BIRTH"}) file.ignore(card.number(what), what);
   file.ignore(early(card.number("DEATH")), "DEATH");
   Card plane = file.card();
@@ -103,8 +106,13 @@ inline void contact(File& file, Draft& draft) {
   file.title();
   Card card = file.card();
   const std::uint32_t line = file.line();
-  Side slave{card.tag("SSID"), 0}, master{card.tag("MSID"), 0};
-  slave.kind = card.integer("SSTYP"), master.kind = card.integer("MSTYP");
+  Side slave{}, master{};
+  Card later = card;
+  later.pass(2);
+  slave.kind = later.integer("SSTYP"), master.kind = later.integer("MSTYP");
+  slave.number = card.tag("SSID", slave.kind == 3 ? Id::part : Id::set);
+  master.number = card.tag("MSID", master.kind == 3 ? Id::part : Id::set);
+  card.pass(2);
   file.ignore(card.number("SBOXID"), "SBOXID");
   file.ignore(card.number("MBOXID"), "MBOXID");
   Card friction = file.card();
@@ -123,12 +131,12 @@ inline void contact(File& file, Draft& draft) {
 }
 
 inline constexpr auto load_keywords = std::to_array<Keyword>({
-    {"*BOUNDARY_SPC_NODE", node_supports},
-    {"*BOUNDARY_SPC_SET", set_supports},
-    {"*INITIAL_VELOCITY", velocity},
-    {"*INITIAL_VELOCITY_NODE", node_velocities},
-    {"*INITIAL_VELOCITY_GENERATION", generated_velocities},
-    {"*RIGIDWALL_PLANAR", wall},
+    {"*BOUNDARY_SPC_NODE", node_supports, Invariant::none},
+    {"*BOUNDARY_SPC_SET", set_supports, Invariant::none},
+    {"*INITIAL_VELOCITY", velocity, Invariant::none},
+    {"*INITIAL_VELOCITY_NODE", node_velocities, Invariant::none},
+    {"*INITIAL_VELOCITY_GENERATION", generated_velocities, Invariant::none},
+    {"*RIGIDWALL_PLANAR", wall, Invariant::none},
     {"*CONTACT_AUTOMATIC_SINGLE_SURFACE", contact},
     {"*CONTACT_AUTOMATIC_GENERAL", contact},
     {"*CONTACT_AUTOMATIC_NODES_TO_SURFACE", contact},

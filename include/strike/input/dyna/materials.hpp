@@ -20,7 +20,7 @@ struct MaterialHead {
 inline MaterialHead material_head(File& file, Draft& draft) {
   std::string title = file.title();
   Card card = file.card();
-  const FileNumber number = draft.own_number("material", card, file);
+  const FileNumber number = draft.own_number("material", Id::material, card, file);
   const double density = card.positive("RO");
   return {std::move(title), card, number, density};
 }
@@ -146,7 +146,7 @@ inline void null(File& file, Draft& draft) {
 inline void linear_polynomial(File& file, Draft& draft) {
   file.title();
   Card card = file.card();
-  const FileNumber number = draft.own_number("equation of state", card, file);
+  const FileNumber number = draft.own_number("equation of state", Id::material, card, file);
   PolynomialEos eos{.density = 0};
   for (double* C : {&eos.C0, &eos.C1, &eos.C2, &eos.C3, &eos.C4, &eos.C5, &eos.C6}) *C = card.number("C0 to C6");
   Card start = file.card();
@@ -158,7 +158,7 @@ inline void linear_polynomial(File& file, Draft& draft) {
 inline void gruneisen(File& file, Draft& draft) {
   file.title();
   Card card = file.card();
-  const FileNumber number = draft.own_number("equation of state", card, file);
+  const FileNumber number = draft.own_number("equation of state", Id::material, card, file);
   GruneisenEos eos{.density = 0, .sound_speed = card.positive("C"), .S1 = card.number("S1"), .gamma = 0};
   eos.S2 = card.number("S2"), eos.S3 = card.number("S3"), eos.gamma = card.number("GAMAO"), eos.a = card.number("A");
   eos.initial_energy = card.number("E0");

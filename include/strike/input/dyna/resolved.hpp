@@ -1,24 +1,74 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <strike/ascending.hpp>
 #include <strike/input/dyna/draft.hpp>
+#include <strike/input/dyna/sets.hpp>
+#include <strike/input/dyna/transformations.hpp>
 #include <strike/input/raw_mesh.hpp>
 #include <strike/mesh/select.hpp>
 
 namespace strike::detail::dyna {
 
+/// An order in which each set comes after those that it names. Error: a set that contains itself.
+inline std::vector<std::size_t> in_order(const std::vector<PendingSet>& sets, Named named, const Source& source) {
+  std::map<FileNumber, std::size_t> places;
+  for (std::size_t i = 0; i < sets.size(); ++i) places.try_emplace(sets[i].number, i);
+  enum class State : char { unseen, open, done };
+  std::vector<State> states(sets.size(), State::unseen);
+  std::vector<std::size_t> order;
+  struct Visit {
+    std::size_t set, next;
+  };
+  std::vector<Visit> open;
+  for (std::size_t root = 0; root < sets.size(); ++root) {
+    if (states[root] != State::unseen) continue;
+    open.push_back({root, 0});
+    states[root] = State::open;
+    while (!open.empty()) {
+      auto& [set, next] = open.back();
+      if (next == sets[set].choices.size()) {
+        states[set] = State::done;
+        order.push_back(set);
+        open.pop_back();
+        continue;
+      }
+      const Choice& choice = sets[set].choices[next++];
+      const auto other = choice.named == named ? places.find(choice.number) : places.end();
+      if (other == places.end() || states[other->second] == State::done) continue;
+      if (states[other->second] == State::open)
+        source.refuse(choice.line, {"set ", std::to_string(choice.number),
+                                    " contains itself: take it out of one of "
+                                    "the sets that it is made of."});
+      states[other->second] = State::open;
+      open.push_back({other->second, 0});
+    }
+  }
+  return order;
+}
+
+[[noreturn, gnu::cold]] inline void refuse_missing(const File& file, const Choice& choice, const char* kind,
+                                                   const char* keyword) {
+  const std::string skipped = file.skipped(keyword);
+  file.source().refuse(choice.line, {kind, " ", std::to_string(choice.number),
+                                     skipped.empty() ? " is not in the file" : " is not among those read (", skipped,
+                                     skipped.empty() ? "" : " was skipped)", ": define it or correct the card."});
+}
+
 /// Nodes and parts that cards name, in a deck that is complete but for them.
 class Lookup {
  public:
-  Lookup(Finished& mesh, const DynaDeck& deck, const std::map<FileNumber, std::uint32_t>& parts, const File& file)
-      : mesh_(mesh), deck_(deck), parts_(parts), file_(file) {
+  Lookup(Finished& mesh, const DynaDeck& deck, const Draft& draft, const File& file)
+      : mesh_(mesh), deck_(deck), draft_(draft), file_(file) {
     for (const NamedSet& set : deck.node_sets) add(set);
     for (const NamedSet& set : deck.part_sets) part_sets_.try_emplace(set.number, &set);
   }
@@ -26,77 +76,145 @@ class Lookup {
 
   /// The chosen nodes by their numbers in the mesh, in ascending order.
   std::vector<Index> nodes(std::span<const Choice> choices) const {
-    std::vector<Index> nodes;
-    const auto add = [&](const std::vector<Index>& more, std::uint32_t line) {
-      mesh_.allowance.take(more.size(), line);
-      nodes.insert(nodes.end(), more.begin(), more.end());
-    };
-    std::set<std::pair<Named, FileNumber>> seen;
+    std::vector<Index> added, removed;
+    std::set<std::tuple<Named, FileNumber, bool>> seen;
     for (const Choice& choice : choices) {
-      if (choice.named != Named::node && !seen.emplace(choice.named, choice.number).second) continue;
+      if (choice.named != Named::node && !seen.emplace(choice.named, choice.number, choice.removes).second) continue;
+      std::vector<Index>& nodes = choice.removes ? removed : added;
+      const auto add = [&](const std::vector<Index>& more) {
+        mesh_.allowance.take(more.size(), choice.line);
+        nodes.insert(nodes.end(), more.begin(), more.end());
+      };
       switch (choice.named) {
         case Named::all:
-          add(all_nodes(deck_.mesh.nodes), choice.line);
+          add(all_nodes(deck_.mesh.nodes));
           break;
         case Named::node:
           if (const Index n = mesh_.node(choice.number, file_.source(), choice.line); n != nothing) nodes.push_back(n);
           break;
         case Named::set:
-          add(found(node_sets_, choice, "the set of nodes", "*SET_NODE")->members, choice.line);
+          add(found(node_sets_, choice, "the set of nodes", "*SET_NODE")->members);
+          break;
+        case Named::box:
+          add(nodes_in_box(choice));
           break;
         default:
           for (const Index part : parts(choice)) {
             const std::vector<Index>& cells = deck_.parts[part].members;
             mesh_.allowance.take(8 * cells.size(), choice.line);
-            add(deck_.cells(cells).nodes(), choice.line);
+            add(deck_.cells(cells).nodes());
           }
       }
     }
-    return ascending(std::move(nodes));
+    added = ascending(std::move(added));
+    if (removed.empty()) return added;
+    removed = ascending(std::move(removed));
+    std::vector<Index> left;
+    std::set_difference(added.begin(), added.end(), removed.begin(), removed.end(), std::back_inserter(left));
+    return left;
   }
   /// The places of a part, or of the parts of a set.
   std::vector<Index> parts(const Choice& choice) const {
-    if (choice.named == Named::part) return {found(parts_, choice, "part", "*PART")};
+    if (choice.named == Named::part) return {found(draft_.parts, choice, "part", "*PART")};
     const std::vector<Index>& members = found(part_sets_, choice, "the set of parts", "*SET_PART")->members;
     mesh_.allowance.take(members.size(), choice.line);
     return members;
   }
 
  private:
+  std::vector<Index> nodes_in_box(const Choice& choice) const {
+    const auto box = draft_.boxes.find(choice.number);
+    if (box == draft_.boxes.end()) refuse_missing(file_, choice, "box", "*DEFINE_BOX");
+    mesh_.allowance.take(deck_.mesh.nodes.size(), choice.line);
+    std::vector<Index> inside;
+    for (Index n = 0; n < deck_.mesh.nodes.size(); ++n)
+      if (const auto& x = deck_.mesh.nodes[n].array();
+          (x >= box->second.least.array()).all() && (x <= box->second.most.array()).all())
+        inside.push_back(n);
+    return inside;
+  }
   template <class Value>
   Value found(const std::map<FileNumber, Value>& things, const Choice& choice, const char* kind,
               const char* keyword) const {
     const auto thing = things.find(choice.number);
-    if (thing != things.end()) return thing->second;
-    const std::string skipped = file_.skipped(keyword);
-    file_.source().refuse(
-        choice.line, {kind, " ", std::to_string(choice.number),
-                      skipped.empty() ? " is not in the file" : " is not among those read (", skipped,
-                      skipped.empty() ? "" : " was skipped)", ": define it before this card or correct the card."});
+    if (thing == things.end()) refuse_missing(file_, choice, kind, keyword);
+    return thing->second;
   }
 
   Finished& mesh_;
   const DynaDeck& deck_;
-  const std::map<FileNumber, std::uint32_t>& parts_;
+  const Draft& draft_;
   const File& file_;
   std::map<FileNumber, const NamedSet*> node_sets_ = {}, part_sets_ = {};
 };
 
-inline std::vector<NamedSet> part_sets(Draft& draft, const Source& source, Allowance& allowance) {
+/// The sets of parts, and those made of them.
+inline std::vector<NamedSet> resolved_part_sets(Draft& draft, const File& file, Allowance& allowance) {
   std::vector<NamedSet> all;
+  std::map<FileNumber, std::size_t> places;
   for (RawMesh::Set& set : draft.part_sets) {
     NamedSet named{set.number, std::move(set.name), {}};
     for (const RawMesh::Sequence& numbers : set.sequences) {
       if (numbers.first == numbers.last && !draft.parts.contains(numbers.first))
-        source.refuse(numbers.line,
-                      {"part ", std::to_string(numbers.first), " is not in the file: take it off the set."});
+        file.source().refuse(numbers.line,
+                             {"part ", std::to_string(numbers.first), " is not in the file: take it off the set."});
     }
     for (const RawMesh::Sequence& numbers : merged(std::move(set.sequences)))
       for (auto part = draft.parts.lower_bound(numbers.first); part != draft.parts.end() && part->first <= numbers.last;
            ++part) {
         allowance.take(1, numbers.line);
-        named.members.push_back(part->second);
+        if ((part->first - numbers.first) % numbers.step == 0) named.members.push_back(part->second);
       }
+    named.members = ascending(std::move(named.members));
+    places.try_emplace(named.number, all.size());
+    all.push_back(std::move(named));
+  }
+  for (const std::size_t i : in_order(draft.part_sums, Named::part_set, file.source())) {
+    NamedSet sum{draft.part_sums[i].number, std::move(draft.part_sums[i].name), {}};
+    for (const Choice& choice : draft.part_sums[i].choices) {
+      const auto other = places.find(choice.number);
+      if (other == places.end()) refuse_missing(file, choice, "the set of parts", "*SET_PART");
+      const std::vector<Index>& members = all[other->second].members;
+      allowance.take(members.size(), choice.line);
+      sum.members.insert(sum.members.end(), members.begin(), members.end());
+    }
+    sum.members = ascending(std::move(sum.members));
+    places.try_emplace(sum.number, all.size());
+    all.push_back(std::move(sum));
+  }
+  return all;
+}
+/// Sets of cells that are made of others, after these.
+inline void add_cell_sums(Draft& draft, const File& file) {
+  for (const FileNumber scope : {FileNumber(0), shells}) {
+    std::vector<PendingSet>& sums = scope == 0 ? draft.solid_sums : draft.shell_sums;
+    for (const std::size_t i : in_order(sums, Named::set, file.source())) {
+      RawMesh::Set sum{.number = sums[i].number, .name = std::move(sums[i].name), .line = sums[i].line};
+      for (const Choice& choice : sums[i].choices) {
+        const auto other = draft.cell_sets.find({scope, choice.number});
+        if (other == draft.cell_sets.end())
+          refuse_missing(file, choice, scope == 0 ? "the set of solids" : "the set of shells",
+                         scope == 0 ? "*SET_SOLID" : "*SET_SHELL");
+        sum.others.push_back(other->second);
+      }
+      draft.cell_sets.try_emplace({scope, sum.number}, draft.raw.element_sets.size());
+      draft.raw.element_sets.push_back(std::move(sum));
+    }
+  }
+}
+inline std::vector<SegmentSet> resolved_segments(Draft& draft, const Finished& mesh, const File& file,
+                                                 std::vector<std::string>& warnings) {
+  std::vector<SegmentSet> all;
+  for (PendingSegments& set : draft.segment_sets) {
+    SegmentSet named{set.number, std::move(set.name), {}};
+    for (const auto& [corners, line] : set.segments) {
+      std::array<Index, 4> segment;
+      for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh.node(corners[i], file.source(), line);
+      if (std::find(segment.begin(), segment.end(), nothing) == segment.end()) named.segments.push_back(segment);
+    }
+    if (const std::size_t lost = set.segments.size() - named.segments.size(); lost > 0)
+      warnings.push_back(joined({"Segments (", std::to_string(lost), ") of set ", std::to_string(set.number),
+                                 " lie on nodes without an element and were dropped."}));
     all.push_back(std::move(named));
   }
   return all;
@@ -118,15 +236,20 @@ inline ContactSide contact_side(const Side& side, const char* type, std::uint32_
 
 /// The deck. Errors: those of the mesh; a card names a node, set or part that is not there.
 inline DynaDeck resolved(Draft draft, File& file) {
+  move_nodes(draft, file);
+  add_cell_sums(draft, file);
+  draft.raw.repeats_nodes = true;
   Finished mesh = finished(std::move(draft.raw), file.source());
   DynaDeck& deck = draft.deck;
   mesh.deck.title = std::move(deck.title);
   static_cast<Deck&>(deck) = std::move(mesh.deck);
-  deck.part_sets = part_sets(draft, file.source(), mesh.allowance);
+  deck.part_sets = resolved_part_sets(draft, file, mesh.allowance);
+  deck.segment_sets = resolved_segments(draft, mesh, file, deck.warnings);
 
   deck.node_sets.reserve(deck.node_sets.size() + draft.general_sets.size());  // lookup points to them
-  Lookup lookup(mesh, deck, draft.parts, file);
-  for (PendingSet& set : draft.general_sets) {
+  Lookup lookup(mesh, deck, draft, file);
+  for (const std::size_t i : in_order(draft.general_sets, Named::set, file.source())) {
+    PendingSet& set = draft.general_sets[i];
     deck.node_sets.push_back({set.number, std::move(set.name), lookup.nodes(set.choices)});
     lookup.add(deck.node_sets.back());
   }

@@ -21,14 +21,14 @@ inline void pass_user_cards(FileNumber form, File& file) {
 }
 inline void solid_section(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
-    const FileNumber number = draft.own_number("section", card, file), form = card.integer("ELFORM", 1);
+    const FileNumber number = draft.own_number("section", Id::other, card, file), form = card.integer("ELFORM", 1);
     draft.deck.sections.push_back({.number = number, .element_form = form, .corner_thickness = {}});
     pass_user_cards(form, file);
   });
 }
 inline void shell_section(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
-    const FileNumber number = draft.own_number("section", card, file);
+    const FileNumber number = draft.own_number("section", Id::other, card, file);
     SectionCard section{.number = number, .element_form = card.integer("ELFORM", 2), .corner_thickness = {}};
     section.shear_factor = card.number("SHRF", 1);
     section.points = card.integer("NIP", 2);
@@ -52,7 +52,7 @@ inline void shell_section(File& file, Draft& draft) {
 }
 inline void hourglass(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
-    const FileNumber number = draft.own_number("hourglass control", card, file);
+    const FileNumber number = draft.own_number("hourglass control", Id::other, card, file);
     HourglassCard control{.number = number, .type = card.integer("IHQ", 1)};
     control.coefficient = card.number("QM", 0.1);
     card.pass(1);
@@ -89,9 +89,9 @@ inline constexpr auto section_keywords = std::to_array<Keyword>({
     {"*SECTION_SOLID", solid_section},
     {"*SECTION_SHELL", shell_section},
     {"*HOURGLASS", hourglass},
-    {"*KEYWORD", nothing_more},
-    {"*END", nothing_more},
-    {"*TITLE", title},
+    {"*KEYWORD", nothing_more, Invariant::everywhere},
+    {"*END", nothing_more, Invariant::everywhere},
+    {"*TITLE", title, Invariant::everywhere},
     {"*CONTROL_TERMINATION", termination},
     {"*CONTROL_TIMESTEP", time_step},
     {"*CONTROL_BULK_VISCOSITY", bulk_viscosity},
