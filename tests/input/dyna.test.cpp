@@ -63,7 +63,7 @@ TEST_CASE("dyna: nodes and elements in columns and with commas, of every shape")
   CHECK(deck.part_cards[0].hourglass == 7);
   CHECK(deck.warnings == std::vector<std::string>{
                              "Nodes without an element (1, the first has the number 99) were dropped.",
-                             "*DATABASE_BINARY_D3PLOT (2) was skipped: lines 33, 35.",
+                             "*DATABASE_BINARY_D3PLOT (2 cards) was skipped: lines 33, 35.",
                          });
   REQUIRE(deck.supports.size() == 2);  // TC and RC
   CHECK(deck.supports[1].nodes == std::vector<Index>{1});
@@ -296,7 +296,7 @@ heavy
 0,0,0,1,1
 1,0,0,1,0,1
 5
-0,0,0,0,0,0
+1,0,0,0,1,0
 light
 4,9
 0,0,0,1
@@ -317,25 +317,53 @@ rough
   CHECK(deck.part_cards[3].name == "light");
   CHECK(deck.part_cards[4].name == "rough");
   CHECK(deck.section(1).thickness == 2);
-  CHECK(deck.warnings == std::vector<std::string>{
-                             "Nodes without an element (4, the first has the number 5) were dropped.",
-                             "The inertia of each part of *PART_INERTIA (2) had no effect: lines 22, 28.",
-                             "The contact of each part of *PART_CONTACT (1) had no effect: line 35.",
-                         });
+  CHECK(deck.warnings ==
+        std::vector<std::string>{"Nodes without an element (4, the first has the number 5) were dropped."});
+  REQUIRE(deck.inertias.size() == 2);
+  CHECK(deck.inertias[0].part == 3);
+  CHECK(deck.inertias[1].part == 4);
+  CHECK(deck.part_cards[4].contact->static_friction == 0.3);
 }
 
-TEST_CASE("dyna: elements that are not read are counted one by one") {
-  const DynaDeck deck = read(cube +
-                             "*ELEMENT_SHELL\n1,1,1,2,3,4\n*ELEMENT_TSHELL\n2,1,1,2,3,4,5,6,7,8\n"
-                             "$ a comment\n3,1,1,2,3,4,5,6,7,8\n*ELEMENT_MASS\n4,1,1.\n"
-                             "*ELEMENT_BEAM_THICKNESS\n5,1,1,2\n1,1\n*SET_NODE_LIST\n9\n1,2,3,4,5,6,7,8,1\n");
+TEST_CASE("dyna: elements of other kinds are left out only if that is allowed, and counted") {
+  const std::string text =
+      cube +
+      "*ELEMENT_SHELL\n1,1,1,2,3,4\n*ELEMENT_TSHELL\n2,1,1,2,3,4,5,6,7,8\n"
+      "$ a comment\n3,1,1,2,3,4,5,6,7,8\n*ELEMENT_MASS\n4,1,1.\n*ELEMENT_TSHELL\n5,1,1,2,3\n"
+      "*ELEMENT_BEAM_THICKNESS\n5,1,1,2\n1,1\n*ELEMENT_INERTIA\n1,1\n1,1,1\n*ELEMENT_PLOTEL\n1,1,2\n"
+      "*ELEMENT_DISCRETE\n*SET_NODE_LIST\n9\n1,2,3,4,5,6,7,8,1\n";
+  CHECK_THROWS_WITH(read(text),
+                    "strike: the file 'a.k', line 14: elements of *ELEMENT_TSHELL (3) are of a kind that is not read: "
+                    "take them out of the deck, or leave them out with {.leave_out_elements = true}.");
+  const DynaDeck deck = read_dyna(text, "a.k", {.leave_out_elements = true});
   CHECK(deck.warnings == std::vector<std::string>{
                              "Nodes without an element (4, the first has the number 5) were dropped.",
-                             "*ELEMENT_BEAM_THICKNESS (1) was skipped: line 20.",
-                             "Elements of *ELEMENT_TSHELL (2) were ignored: lines 15, 17.",
-                             "Elements of *ELEMENT_MASS (1) were ignored: line 19.",
-                             "Further fields of *SET_NODE_LIST (1) had no effect: line 25.",
+                             "*ELEMENT_PLOTEL (1 card) was skipped: line 28.",
+                             "Elements of *ELEMENT_TSHELL (3) were left out: lines 14, 20.",
+                             "Elements of *ELEMENT_MASS (1) were left out: line 18.",
+                             "Elements of *ELEMENT_BEAM_THICKNESS (1) were left out: line 22.",
+                             "Lines of *ELEMENT_INERTIA (2) were left out: line 25.",
+                             "Further fields of *SET_NODE_LIST (1) had no effect: line 33.",
                          });
+  CHECK(read(cube + "*ELEMENT_SHELL\n1,1,1,2,3,4\n*ELEMENT_BEAM\n*COMMENT\nof no effect\n").warnings.size() == 1);
+}
+
+TEST_CASE("dyna: a keyword without which the deck would be another one is refused") {
+  const std::pair<const char*, const char*> keywords[] = {
+      {"*CASE", "*CASE makes several runs of one deck: write a deck for each case."},
+      {"*CASE_BEGIN_2", "makes several runs of one deck"},
+      {"*NODE_MERGE_SET", "*NODE_MERGE_SET is not read: write the nodes as they are after it."},
+      {"*NODE_TRANSFORM", "is not read: write the nodes"},
+      {"*PART_MOVE", "*PART_MOVE is not read: write the nodes as they are after it."},
+      {"*PART_DUPLICATE", "write the nodes and elements that it makes."},
+      {"*PARAMETER_OTHER", "is not read: write the values of its parameters with *PARAMETER."},
+      {"*ELEMENT_SHELL_COMPOSITE", "is not read: write the elements as *ELEMENT_SHELL."},
+      {"*ELEMENT_SOLID_H20", "is not read: write the elements as *ELEMENT_SOLID."},
+      {"*DELETE_PART", "belongs to a restart: write the whole deck as it should be."},
+      {"*INCLUDE_STAMPED_SET", "is not read, and takes more or less from a file than its text"}};
+  for (const auto& [keyword, sentence] : keywords)
+    CHECK_THROWS_WITH(read(cube + keyword + "\n1\n"),
+                      ContainsSubstring("strike: the file 'a.k', line 12: *") && ContainsSubstring(sentence));
 }
 
 TEST_CASE("dyna: what is wrong is told with its line") {
@@ -344,9 +372,6 @@ TEST_CASE("dyna: what is wrong is told with its line") {
   };
   refused("", "the file has no keyword");
   refused("hello\n", "line 1: 'hello' stands before any keyword: begin the file with *KEYWORD.");
-  for (const char* keyword : {"*ELEMENT_SOLID_ORTHO", "*ELEMENT_SHELL_BETA", "*ELEMENT_SOLID_H20"})
-    refused(cube + keyword + "\n", "is not read: write the elements as *ELEMENT_S");
-  refused(cube + "*NODE_MERGE_SET\n1\n", "line 12: *NODE_MERGE_SET is not read: write the nodes as they are after it.");
   refused("*PART\na\n1\nb\n1\n", "line 5: part 1 is on line 3 already: give each a number of its own.");
   refused("*MAT_ELASTIC\n1,1,1\n*MAT_NULL\n1,1\n", "line 4: material 1 is on line 2 already");
   refused("*SECTION_SOLID\n1\n1\n", "line 3: section 1 is on line 2 already");

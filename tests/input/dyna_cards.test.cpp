@@ -283,14 +283,29 @@ TEST_CASE("dyna cards: a line of zeros supports nothing, and a user's section is
        1.0       2.0       3.0       4.0       5.0       6.0       7.0       8.0
        9.0
          2         1
+*SECTION_SHELL_TITLE
+of a user
+3,102
+.5
+2,0,0,0,0,9
+.25,.25,1.
+.75,.75,1.
+1,2,3,4,5,6,7,8
+9
+and another
+4,2
+.7
 )");
   REQUIRE(deck.supports.size() == 1);
   CHECK(deck.supports[0].nodes == std::vector<Index>{0, 1});
-  REQUIRE(deck.sections.size() == 2);
+  REQUIRE(deck.sections.size() == 4);
   CHECK(deck.sections[0].element_form == 101);
   CHECK(deck.sections[1].number == 2);
+  CHECK(deck.sections[2].element_form == 102);
+  CHECK(deck.sections[3].thickness == 0.7);
   CHECK(deck.warnings == std::vector<std::string>{
                              "The element of the user of *SECTION_SOLID (1) had no effect: line 19.",
+                             "The element of the user of *SECTION_SHELL_TITLE (1) had no effect: line 29.",
                          });
 }
 
@@ -303,7 +318,7 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 0,.1
 1,2
 *BOUNDARY_SPC_NODE
-1,3,1
+1,,1
 *RIGIDWALL_PLANAR
 0,0,0,0,.5
 0,0,0,0,0,1
@@ -318,11 +333,10 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 )");
   CHECK(deck.warnings ==
         std::vector<std::string>{
-            "*CONTACT_TIED_NODES_TO_SURFACE (1) was skipped: line 28.",
+            "*CONTACT_TIED_NODES_TO_SURFACE (0 cards) was skipped: line 28.",
             "BETA (hardening is isotropic here) of *MAT_PLASTIC_KINEMATIC (1) had no effect: line 12.",
             "LCSS (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 15.",
             "EPS and ES (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (2) had no effect: lines 16, 17.",
-            "CID of *BOUNDARY_SPC_NODE (1) had no effect: line 19.",
             "BIRTH of *RIGIDWALL_PLANAR (1) had no effect: line 21.",
             "What follows the cards of *CONTROL_TERMINATION (1) had no effect: line 27.",
             "Further fields of *MAT_ELASTIC (1) had no effect: line 30.",
@@ -340,7 +354,7 @@ TEST_CASE("dyna cards: what is wrong is told with its line") {
   refused("*MAT_ELASTIC\n1,1,1,.5\n", "line 12: PR is not between -1 and 0.5: correct it.");
   refused("*MAT_PLASTIC_KINEMATIC\n1,1,1,0,1,2\n", "ETAN is not below E");
   const std::string curve =
-      "SIGY is 0, and the curve in its place is not read: give the material its SIGY and tangent.";
+      "SIGY is 0, and no material here follows the curve in its place: give the material its SIGY and tangent.";
   refused("*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1,1\n0,0,7\n", curve);
   refused("*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1,1\n0\n0,.1\n1,2\n", curve);
   refused("*MAT_ELASTIC_PLASTIC_HYDRO\n1,1,1\n0,.1\n\n1,2\n", curve);

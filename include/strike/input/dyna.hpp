@@ -1,9 +1,11 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/file.hpp>
 #include <strike/input/dyna/loads.hpp>
@@ -23,12 +25,13 @@ namespace detail::dyna {
 /// The reader of a keyword's cards; null if there is none.
 inline const Keyword* find_keyword(std::string_view name) {
   const Keyword* found = parameter_keyword(name);
+  if (!found) found = keyword_with_options(name);
   const auto search = [&](const auto& keywords) {
     for (const Keyword& keyword : keywords)
       if (keyword.name == name) found = &keyword;
   };
   search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
-  search(section_keywords), search(load_keywords);
+  search(section_keywords), search(load_keywords), search(definition_keywords);
   return found;
 }
 /// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.
@@ -42,16 +45,48 @@ inline void expect_invariant(const Keyword& keyword, const File& file) {
   if (keyword.invariant == Invariant::none)
     file.refuse({file.name(), " is not moved by TRANID: write it as it should be, in a file without it."});
 }
-/// Passes a keyword that is not read. Error: the mesh would be another one without it.
+/// Keywords by their beginnings without which a deck would be another one, and what to do.
+struct Refusal {
+  std::string_view beginning, advice;
+};
+inline constexpr auto refusals = std::to_array<Refusal>({
+    {"*CASE", "makes several runs of one deck: write a deck for each case"},
+    {"*NODE_MERGE", "is not read: write the nodes as they are after it"},
+    {"*NODE_TRANSFORM", "is not read: write the nodes as they are after it"},
+    {"*NODE_THICKNESS", "is not read: write the thickness with *ELEMENT_SHELL_THICKNESS"},
+    {"*PART_MOVE", "is not read: write the nodes as they are after it"},
+    {"*PART_DUPLICATE", "is not read: write the nodes and elements that it makes"},
+    {"*PART_STACKED_ELEMENTS", "is not read: write the nodes and elements that it makes"},
+    {"*PARAMETER", "is not read: write the values of its parameters with *PARAMETER"},
+    {"*ELEMENT_SOLID", "is not read: write the elements as *ELEMENT_SOLID"},
+    {"*ELEMENT_SHELL", "is not read: write the elements as *ELEMENT_SHELL"},
+    {"*ELEMENT_GENERALIZED", "is not read: write the elements as *ELEMENT_SOLID or *ELEMENT_SHELL"},
+    {"*CHANGE_", "belongs to a restart: write the whole deck as it should be"},
+    {"*DELETE_", "belongs to a restart: write the whole deck as it should be"},
+    {"*STRESS_INITIALIZATION", "belongs to a restart: write the whole deck as it should be"},
+});
+/// Elements without mass or stiffness.
+inline constexpr auto marks =
+    std::to_array<std::string_view>({"*ELEMENT_PLOTEL", "*ELEMENT_SEATBELT_ACCELEROMETER", "*ELEMENT_SEATBELT_SENSOR"});
+/// Lines of an element: one, and one more for each option; 0 if that is not known.
+inline std::size_t lines_of_element(std::string_view name) {
+  for (const std::string_view kind : {"*ELEMENT_BEAM", "*ELEMENT_TSHELL", "*ELEMENT_DISCRETE", "*ELEMENT_MASS",
+                                      "*ELEMENT_SPH", "*ELEMENT_SEATBELT", "*ELEMENT_LANCING"})
+    if (name == kind) return 1;
+  for (const std::string_view option : {"_THICKNESS", "_SECTION", "_OFFSET", "_ORIENTATION", "_SCALAR"})
+    if (name.substr(std::min<std::size_t>(name.size(), 13)) == option && name.starts_with("*ELEMENT_BEAM")) return 2;
+  return name == "*ELEMENT_TSHELL_BETA" ? 2 : 0;
+}
+/// Passes a keyword that is not read. Error: the deck would be another one without it.
 inline void pass_keyword(File& file) {
   const std::string_view name = file.base();
-  for (const std::string_view read : {"*ELEMENT_SOLID", "*ELEMENT_SHELL"})
-    if (name.starts_with(read)) file.refuse({name, " is not read: write the elements as ", read, "."});
-  if (name.starts_with("*NODE_MERGE") || name.starts_with("*NODE_TRANSFORM"))
-    file.refuse({name, " is not read: write the nodes as they are after it."});
-  constexpr std::string_view element = "*ELEMENT_";
-  if (name.starts_with(element) && name.find('_', element.size()) == name.npos)
-    file.ignore_elements();
+  for (const auto& [beginning, advice] : refusals)
+    if (name.starts_with(beginning)) file.refuse({name, " ", advice, "."});
+  const bool is_mark = std::any_of(marks.begin(), marks.end(), [&](auto mark) { return name.starts_with(mark); });
+  if (name.starts_with("*ELEMENT_") && !is_mark)
+    file.leave_out_elements(lines_of_element(name));
+  else if (name.starts_with("*COMMENT"))
+    file.pass();
   else
     file.skip();
 }
@@ -76,6 +111,7 @@ inline DynaDeck read_dyna(std::string_view text, const std::string& name, const 
         detail::dyna::pass_keyword(file);
       }
     }
+    if (!options.leave_out_elements) file.expect_all_elements();
     return detail::dyna::resolved(std::move(draft), file);
   });
 }

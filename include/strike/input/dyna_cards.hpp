@@ -14,7 +14,6 @@
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/von_mises.hpp>
-#include <strike/mesh/select.hpp>
 #include <strike/tensor/tensor.hpp>
 
 // The cards of an LS-DYNA deck as values (LS-DYNA Keyword User's Manual R13, volumes I and II). Numbers are in the
@@ -84,26 +83,89 @@ struct HourglassCard {
   double bending = 0.1, warping = 0.1;    ///< QB and QW of plates
 };
 
+/// The card of *PART_CONTACT.
+struct PartContact {
+  double static_friction, dynamic_friction, decay;  ///< FS, FD, DC
+  double thickness;                                 ///< OPTT, 0 for that of the section [length]
+};
+
 /// *PART: the numbers of its other cards, 0 if it has none.
 struct PartCard {
   FileNumber number;
   std::string name;
   FileNumber section, material, eos, hourglass;
+  std::optional<PartContact> contact = {};
+};
+
+/// The cards of *PART_INERTIA, in global axes.
+struct InertiaCard {
+  FileNumber part;
+  Eigen::Vector3d centre;
+  double mass;              ///< TM
+  Eigen::Matrix3d inertia;  ///< about the centre [mass length^2]
+  Eigen::Vector3d velocity;
+  Eigen::Vector3d spin;  ///< [1/time]
+};
+
+/// *PART_COMPOSITE: layers from the bottom to the top, and what a section says of other plates.
+struct CompositeCard {
+  struct Layer {
+    FileNumber material;
+    double thickness, angle;  ///< [length], [degree]
+  };
+  FileNumber part;
+  FileNumber element_form;  ///< ELFORM
+  double shear_factor;      ///< SHRF
+  double reference;         ///< NLOC
+  std::vector<Layer> layers;
+};
+
+/// The values of *ELEMENT_SHELL_THICKNESS, _BETA and _OFFSET for one plate; 0 where the file has none.
+struct ShellCard {
+  Index cell;                                ///< its number in the mesh, among all cells
+  std::array<double, 4> corner_thickness{};  ///< THIC1 to THIC4 [length]
+  double angle = 0;                          ///< BETA [degree]
+  double offset = 0;                         ///< of its middle from the nodes along the normal [length]
+};
+
+/// *DEFINE_CURVE, with its scales and offsets in the points: SFA (a + OFFA), SFO (o + OFFO).
+struct CurveCard {
+  FileNumber number;
+  std::string title;
+  std::vector<std::array<double, 2>> points;
+  FileNumber phase = 0;  ///< SIDR: 0 in the run, 1 before it, 2 both
+};
+
+/// *DEFINE_TABLE: a curve for each value.
+struct TableCard {
+  FileNumber number;
+  std::string title;
+  std::vector<double> values;
+  std::vector<FileNumber> curves;
+};
+
+/// *DEFINE_COORDINATE_SYSTEM, _NODES and _VECTOR.
+struct CoordinateCard {
+  FileNumber number;
+  std::string title;
+  Eigen::Vector3d origin;
+  Eigen::Matrix3d axes;  ///< x, y and z in its columns
 };
 
 /// *BOUNDARY_SPC_..., and TC and RC of *NODE: `Support{s.nodes, s.directions(), s.axes()}`.
 struct SupportCard {
   std::vector<Index> nodes;
-  std::array<bool, 3> held, held_turns;  ///< along and about x, y, z
+  std::array<bool, 3> held, held_turns;                  ///< along and about x, y, z
+  Eigen::Matrix3d system = Eigen::Matrix3d::Identity();  ///< x, y and z of CID in its columns
 
   std::vector<Eigen::Vector3d> directions() const { return along(held); }
   std::vector<Eigen::Vector3d> axes() const { return along(held_turns); }
 
  private:
-  static std::vector<Eigen::Vector3d> along(const std::array<bool, 3>& axes) {
+  std::vector<Eigen::Vector3d> along(const std::array<bool, 3>& axes) const {
     std::vector<Eigen::Vector3d> all;
-    for (const Axis axis : {Axis::x, Axis::y, Axis::z})
-      if (axes[static_cast<std::size_t>(axis)]) all.push_back(unit(axis));
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      if (axes[static_cast<std::size_t>(axis)]) all.push_back(system.col(axis));
     return all;
   }
 };
@@ -159,6 +221,12 @@ struct DynaDeck : Deck {
   std::vector<ContactCard> contacts = {};
   std::vector<NamedSet> part_sets = {};  ///< members are places in `parts`
   std::vector<SegmentSet> segment_sets = {};
+  std::vector<InertiaCard> inertias = {};
+  std::vector<CompositeCard> composites = {};
+  std::vector<ShellCard> shells = {};  ///< of plates that have values of their own, in ascending order
+  std::vector<CurveCard> curves = {};
+  std::vector<TableCard> tables = {};
+  std::vector<CoordinateCard> coordinate_systems = {};
   double end_time = 0;                              ///< ENDTIM, 0 if there is none [time]
   double step_factor = 0;                           ///< TSSFAC, 0 if there is none
   std::array<double, 2> bulk_viscosity{1.5, 0.06};  ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
@@ -194,6 +262,9 @@ struct DynaDeck : Deck {
     if (material.pressure_cutoff) eos.pressure_cutoff = *material.pressure_cutoff;
     return eos;
   }
+  /// A curve or a table by its number. Error: it is not in the deck.
+  const CurveCard& curve(FileNumber number) const { return numbered(curves, number, "curve"); }
+  const TableCard& table(FileNumber number) const { return numbered(tables, number, "table"); }
   /// The section, and the hourglass control, of a part. Error: it has none.
   template <class Part>
   const SectionCard& section(const Part& part) const {
@@ -205,6 +276,13 @@ struct DynaDeck : Deck {
   }
 
  private:
+  template <class Entry>
+  static const Entry& numbered(const std::vector<Entry>& entries, FileNumber number, const char* kind) {
+    for (const Entry& entry : entries)
+      if (entry.number == number) return entry;
+    throw Error(detail::joined({"strike: no ", kind, " has the number ", std::to_string(number),
+                                ": read the warnings of the deck, or correct it."}));
+  }
   static std::string text_of(std::string_view name) { return detail::joined({"'", name, "'"}); }
   static std::string text_of(FileNumber number) { return std::to_string(number); }
 

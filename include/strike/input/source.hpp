@@ -30,8 +30,9 @@ using FileNumber = std::int64_t;
 
 /// Options of the readers of decks.
 struct ReadOptions {
-  std::string folder = {};  ///< of included files; that of the deck, or none for a text in memory, if empty
-  bool anywhere = false;    ///< included files may stand outside of that folder
+  std::string folder = {};          ///< of included files; that of the deck, or none for a text in memory, if empty
+  bool anywhere = false;            ///< included files may stand outside of that folder
+  bool leave_out_elements = false;  ///< of kinds that are not read, with a warning; an error otherwise
 };
 
 namespace detail {
@@ -355,10 +356,12 @@ class Skipped {
   void add(std::string_view name, std::uint32_t line, std::size_t count = 1) {
     const auto known = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.name == name; });
     if (known == kinds_.end() && kinds_.size() < 200)
-      kinds_.push_back({std::string(name), count, {line}});
+      kinds_.push_back({std::string(name), count, {line}, false});
     else if (known == kinds_.end())
       ++further_;
-    else if (known->count += count; known->lines.size() < 5 && known->lines.back() != line)
+    else if (known->count += count; known->lines.back() == line || known->lines.size() == 5)
+      known->has_more |= known->lines.back() != line;
+    else
       known->lines.push_back(line);
   }
   /// The first name with this beginning, and its line; empty if there is none.
@@ -367,15 +370,16 @@ class Skipped {
       if (kind.name.starts_with(beginning)) return joined({kind.name, " on line ", source.place(kind.lines.front())});
     return {};
   }
-  /// Adds the warnings: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40." With the source, lines of included files are
-  /// named with their file: "lines 12, 4 of 'mesh.k'."
-  void tell(std::vector<std::string>& all, std::string_view why, const Source* source = nullptr) const {
-    for (const auto& [name, count, lines] : kinds_) {
+  /// Adds the warnings: "*DAMPING_GLOBAL (2) was skipped: lines 12, 40.", and "(2 cards)" with a unit. With the source,
+  /// lines of included files are named with their file: "lines 12, 4 of 'mesh.k'."
+  void tell(std::vector<std::string>& all, std::string_view why, const Source* source = nullptr,
+            std::string_view unit = {}) const {
+    for (const auto& [name, count, lines, has_more] : kinds_) {
       std::string places = lines.size() == 1 ? "line " : "lines ";
       for (const std::uint32_t line : lines) places += (source ? source->place(line) : std::to_string(line)) + ", ";
       places.resize(places.size() - 2);
-      all.push_back(joined(
-          {name, " (", std::to_string(count), ")", why, places, lines.size() == 5 && count > 5 ? ", ..." : "."}));
+      const std::string units = unit.empty() ? "" : joined({" ", unit, count == 1 ? "" : "s"});
+      all.push_back(joined({name, " (", std::to_string(count), units, ")", why, places, has_more ? ", ..." : "."}));
     }
     if (further_ > 0) all.push_back(joined({"Others (", std::to_string(further_), ")", why, "not listed."}));
   }
@@ -385,6 +389,7 @@ class Skipped {
     std::string name;
     std::size_t count;
     std::vector<std::uint32_t> lines;
+    bool has_more = false;
   };
   std::vector<Kind> kinds_;
   std::size_t further_ = 0;

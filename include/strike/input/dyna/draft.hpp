@@ -30,6 +30,7 @@ template <class Card>
 struct Pending {
   Card card;
   std::vector<Choice> choices;
+  FileNumber system = 0;  ///< CID of a support
 };
 
 /// The side of a contact: SSID with SSTYP, or MSID with MSTYP.
@@ -57,6 +58,30 @@ struct PendingSegments {
   FileNumber number;
   std::string name;
   std::vector<Segment> segments;
+};
+
+/// Axes that are given by three nodes: the first is the origin.
+struct PendingSystem {
+  std::size_t system;  ///< its place in the deck
+  std::array<FileNumber, 3> nodes;
+  int first;  ///< the axis from the first node to the second
+  std::uint32_t line;
+};
+/// A centre that is given by a node.
+struct PendingCentre {
+  std::size_t inertia;  ///< its place in the deck
+  FileNumber node;
+  std::uint32_t line;
+};
+struct PendingShell {
+  FileNumber number;
+  ShellCard card;
+};
+/// A table whose curves stand after it.
+struct OpenTable {
+  std::size_t table = 0;  ///< its place in the deck
+  std::size_t left = 0;   ///< curves to come
+  std::uint32_t line = 0;
 };
 
 /// *DEFINE_BOX, along the axes.
@@ -89,6 +114,10 @@ struct Draft {
   std::map<FileNumber, Box> boxes = {};
   std::map<FileNumber, Transformation> transformations = {};
   std::vector<MovedNodes> moved = {};
+  std::vector<PendingSystem> systems = {};
+  std::vector<PendingCentre> centres = {};
+  std::vector<PendingShell> shells = {};
+  OpenTable open_table = {};
   std::map<std::pair<std::string_view, FileNumber>, std::uint32_t> defined = {};  ///< lines of cards by kind, number
   std::vector<Pending<SupportCard>> node_supports = {};                           ///< one for each way of being held
   std::vector<Pending<SupportCard>> set_supports = {};
@@ -114,11 +143,11 @@ struct Draft {
                    file.source().place_beside(known->second, file.line()), " already: give each a number of its own."});
     return number;
   }
-  void support_node(const SupportCard& way, const Choice& node) {
+  void support_node(const SupportCard& way, const Choice& node, FileNumber system = 0) {
     const auto known = std::find_if(node_supports.begin(), node_supports.end(), [&](const auto& support) {
-      return support.card.held == way.held && support.card.held_turns == way.held_turns;
+      return support.card.held == way.held && support.card.held_turns == way.held_turns && support.system == system;
     });
-    (known != node_supports.end() ? *known : node_supports.emplace_back(Pending<SupportCard>{way, {}}))
+    (known != node_supports.end() ? *known : node_supports.emplace_back(Pending<SupportCard>{way, {}, system}))
         .choices.push_back(node);
   }
 };

@@ -52,15 +52,37 @@ class File {
   std::string_view base() const { return base_; }
   /// True for *SET_..._COLLECT: sets of one number are one.
   bool collects() const { return collects_; }
-  /// Skips the cards of a keyword that is not read.
+  /// Skips the cards of a keyword that is not read, and counts them.
   void skip() {
-    skipped_.add(name_.substr(0, 60), context_.source.line());
-    is_skipped_ = true;
+    const std::uint32_t at = context_.source.line();
+    std::size_t cards = 0;
+    for_each_line([&](std::string_view) { ++cards; });
+    skipped_.add(name_.substr(0, 60), at, cards);
   }
-  /// Counts the elements of a keyword that is not read, a line each.
-  void ignore_elements() {
-    is_skipped_ = true;
-    for_each_card([&](const Card&) { ignored_.add(joined({"Elements of ", base_}), context_.source.line()); });
+  /// Passes the cards of a keyword that says nothing.
+  void pass() {
+    for_each_line([](std::string_view) {});
+  }
+  /// Counts the elements of a keyword that is not read, of so many lines each; the lines if that is 0.
+  void leave_out_elements(std::size_t lines) {
+    const std::uint32_t at = context_.source.line();
+    std::size_t cards = 0;
+    for_each_line([&](std::string_view) { ++cards; });
+    if (cards == 0) return;
+    const bool exact = lines > 0 && cards % lines == 0;
+    const std::size_t count = exact ? cards / lines : cards;
+    std::string what = joined({exact ? "Elements of " : "Lines of ", base_.substr(0, 60)});
+    if (left_out_.empty())
+      left_out_line_ = at, left_out_ = joined({exact ? "elements of " : "lines of ", base_.substr(0, 60)});
+    if (left_out_line_ == at || left_out_.ends_with(base_.substr(0, 60))) left_out_count_ += count;
+    ignored_.add(what, at, count);
+  }
+  /// Error: elements were left out.
+  void expect_all_elements() const {
+    if (!left_out_.empty())
+      context_.source.refuse(left_out_line_, {left_out_, " (", std::to_string(left_out_count_),
+                                              ") are of a kind that is not read: take them out of the deck, or leave "
+                                              "them out with {.leave_out_elements = true}."});
   }
   /// The first keyword with this beginning that was skipped, with its line; empty if there is none.
   std::string skipped(std::string_view beginning) const { return skipped_.place_of(beginning, context_.source); }
@@ -108,6 +130,8 @@ class File {
   }
   /// The next line as a text.
   std::string heading() { return std::string(card().rest()); }
+  /// The next line as the name of a part.
+  std::string part_heading() { return named(card().rest()); }
   /// The title that stands before the cards of a keyword with _TITLE or _ID.
   std::string title() { return titled_ ? named(card().rest()) : std::string(); }
 
@@ -137,8 +161,8 @@ class File {
   }
 
   void tell(std::vector<std::string>& warnings) const {
-    skipped_.tell(warnings, " was skipped: ", &context_.source);
-    ignored_.tell(warnings, " were ignored: ", &context_.source);
+    skipped_.tell(warnings, " was skipped: ", &context_.source, "card");
+    ignored_.tell(warnings, " were left out: ", &context_.source);
     values_.tell(warnings, " had no effect: ", &context_.source);
   }
 
@@ -253,17 +277,16 @@ class File {
     const std::uint32_t at = context_.source.line();
     bool blank = trimmed(line).empty();
     while (next_line(line)) blank &= trimmed(line).empty();
-    if (!is_skipped_ && !blank) values_.add(joined({"What follows the cards of ", name_}), at);
+    if (!blank) values_.add(joined({"What follows the cards of ", name_}), at);
   }
   void begin(const std::string& line) {
     name_ = line.substr(0, line.find_first_of(" \t,"));
-    is_skipped_ = false;
     std::string packed;
     for (const char c : line)
       if (!detail::is_blank(c)) packed += c;
     const char last = packed.back();
     while (name_.size() > 1 && (name_.back() == '-' || name_.back() == '+' || name_.back() == '%')) name_.pop_back();
-    if (name_ == "*KEYWORD") {
+    if (name_.starts_with("*KEYWORD")) {
       const auto has = [&](std::string_view option) { return packed.find(option) != packed.npos; };
       if (has("LONG=Y") || has("LONG=K"))
         keyword_format_ = Format::wide;
@@ -297,8 +320,11 @@ class File {
   Format keyword_format_ = Format::standard;  ///< of the keywords that have no sign of their own
   std::vector<std::string> folders_ = {};     ///< of *INCLUDE_PATH
   bool any_ = false;
-  bool titled_ = false, collects_ = false, is_skipped_ = false;
+  bool titled_ = false, collects_ = false;
   Skipped skipped_ = {}, ignored_ = {}, values_ = {};
+  std::string left_out_ = {};  ///< the first kind of elements that was left out
+  std::uint32_t left_out_line_ = 0;
+  std::size_t left_out_count_ = 0;
 };
 
 }  // namespace strike::detail::dyna

@@ -14,21 +14,23 @@ void supports(Named named, File& file, F f) {
   file.for_each_titled_card([&](Card card) {
     const char* const field = named == Named::node ? "NID" : "NSID";
     const Choice choice{named, card.tag(field, named == Named::node ? Id::node : Id::set), file.line()};
-    const double system = card.number("CID");
-    file.ignore(system, "CID");
+    const FileNumber system = card.tag("CID", Id::define);
     SupportCard support{};
     bool holds = system != 0;
     for (auto* const degrees : {&support.held, &support.held_turns})
       for (bool& held : *degrees) holds |= held = card.integer("DOFX to DOFRZ") != 0;
     if (choice.number == 0 && holds) file.refuse({"a support has no ", field, ": give it one."});
-    if (choice.number != 0) f(support, choice);
+    if (choice.number != 0) f(support, choice, system);
   });
 }
 inline void node_supports(File& file, Draft& draft) {
-  supports(Named::node, file, [&](const auto& way, const Choice& node) { draft.support_node(way, node); });
+  supports(Named::node, file,
+           [&](const auto& way, const Choice& node, FileNumber system) { draft.support_node(way, node, system); });
 }
 inline void set_supports(File& file, Draft& draft) {
-  supports(Named::set, file, [&](const auto& way, const Choice& set) { draft.set_supports.push_back({way, {set}}); });
+  supports(Named::set, file, [&](const auto& way, const Choice& set, FileNumber system) {
+    draft.set_supports.push_back({way, {set}, system});
+  });
 }
 
 /// The nodes of a set, or all if it has no number.

@@ -64,7 +64,8 @@ inline bool ignore_table(File& file, std::string_view what, int cards) {
 }
 inline void expect_yield_stress(double yield, bool has_curve, const File& file) {
   if (yield == 0 && has_curve)
-    file.refuse({"SIGY is 0, and the curve in its place is not read: give the material its SIGY and tangent."});
+    file.refuse(
+        {"SIGY is 0, and no material here follows the curve in its place: give the material its SIGY and tangent."});
 }
 
 inline void elastic(File& file, Draft& draft) {

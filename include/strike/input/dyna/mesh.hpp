@@ -1,9 +1,12 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/sets.hpp>
 
@@ -40,7 +43,7 @@ inline void nodes(File& file, Draft& draft) {
   if (moved.motion != 0 && moved.first != moved.last) draft.moved.push_back(moved);
 }
 
-inline void solids(File& file, Draft& draft) {
+inline void solids(File& file, Draft& draft, int further_cards) {
   file.for_each_card([&](Card card) {
     RawMesh::Element element{card.own_tag("the number of an element", "solid", Id::element, 8),
                              {},
@@ -56,58 +59,150 @@ inline void solids(File& file, Draft& draft) {
       file.refuse({"element ", std::to_string(element.number),
                    " is a tetrahedron of ten nodes: mesh in first order, with four."});
     draft.raw.elements.push_back(element);
+    for (int left = further_cards; left > 0; --left) file.ignore(file.card().says_more(), "The axes of each solid");
   });
 }
-inline void plate(Card card, const File& file, Draft& draft) {
-  const FileNumber number = card.own_tag("the number of an element", "shell", Id::element, 8);
-  RawMesh::Element element{shells + number, {}, 0, file.line(), RawMesh::Shape::quadrilateral};
-  element.group = draft.part(card.tag("PID", Id::part, 8));
-  for (std::size_t i = 0; i < 4; ++i) element.corners[i] = card.tag("a corner", Id::node, 8);
-  if (element.corners[3] == 0) element.corners[3] = element.corners[2];
-  if (card.tag("a corner", Id::node, 8) != 0)
-    file.refuse({"element ", std::to_string(number), " is a shell of more than four nodes: mesh in first order."});
-  draft.raw.elements.push_back(element);
+inline void all_solids(File& file, Draft& draft) { solids(file, draft, 0); }
+/// Solids with the axes of their material, which have no counterpart.
+inline void oriented_solids(File& file, Draft& draft) { solids(file, draft, 2); }
+
+/// The options of a keyword, from a list of those that may stand in it; false if it has others.
+template <std::size_t N>
+bool has_options(std::string_view options, const std::array<std::string_view, N>& known, std::array<bool, N>& has) {
+  has = {};
+  while (!options.empty()) {
+    const auto option = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
+      return options.starts_with(name) && (options.size() == name.size() || options[name.size()] == '_');
+    });
+    if (option == known.end()) return false;
+    has[static_cast<std::size_t>(option - known.begin())] = true;
+    options.remove_prefix(option->size());
+  }
+  return true;
 }
+
+inline constexpr std::array<std::string_view, 5> shell_options{"_THICKNESS", "_BETA", "_MCID", "_OFFSET", "_DOF"};
 inline void plates(File& file, Draft& draft) {
-  file.for_each_card([&](const Card& card) { plate(card, file, draft); });
-}
-inline void thick_plates(File& file, Draft& draft) {
-  file.for_each_card([&](const Card& card) {
-    plate(card, file, draft);
-    if (file.pass_card()) file.ignore(1, "The thickness of each shell");
+  std::array<bool, 5> has;
+  has_options(file.base().substr(std::string_view("*ELEMENT_SHELL").size()), shell_options, has);
+  const auto [thickness, beta, system, offset, scalars] = has;
+  file.for_each_card([&](Card card) {
+    const FileNumber number = card.own_tag("the number of an element", "shell", Id::element, 8);
+    RawMesh::Element element{shells + number, {}, 0, file.line(), RawMesh::Shape::quadrilateral};
+    element.group = draft.part(card.tag("PID", Id::part, 8));
+    for (std::size_t i = 0; i < 4; ++i) element.corners[i] = card.tag("a corner", Id::node, 8);
+    if (element.corners[3] == 0) element.corners[3] = element.corners[2];
+    if (card.tag("a corner", Id::node, 8) != 0)
+      file.refuse({"element ", std::to_string(number), " is a shell of more than four nodes: mesh in first order."});
+    draft.raw.elements.push_back(element);
+    ShellCard values{};
+    if (thickness || beta || system) {
+      Card first = file.card();
+      for (double& t : values.corner_thickness) t = first.number("THIC1 to THIC4", 0, 16);
+      if (!system)
+        values.angle = first.number("BETA", 0, 16);
+      else
+        file.ignore(first.number("MCID", 0, 16), "MCID");
+    }
+    if (offset) values.offset = file.card().number("OFFSET", 0, 16);
+    if (scalars) file.ignore(file.card().says_more(), "The scalar nodes");
+    if (values.corner_thickness != std::array<double, 4>{} || values.angle != 0 || values.offset != 0)
+      draft.shells.push_back({number, values});
   });
 }
 
-/// The cards that follow that of a part.
-enum class PartOption { none, inertia, contact };
-template <PartOption option = PartOption::none>
-void parts(File& file, Draft& draft) {
+inline void inertia(FileNumber part, File& file, Draft& draft) {
+  Card first = file.card(), second = file.card();
+  InertiaCard card{part, first.vector("XC to ZC"), first.number("TM"), {}, {}, {}};
+  const FileNumber kind = first.integer("IRCS"), node = first.tag("NODEID", Id::node);
+  const double xx = second.number("IXX"), xy = second.number("IXY"), xz = second.number("IXZ");
+  const double yy = second.number("IYY"), yz = second.number("IYZ"), zz = second.number("IZZ");
+  card.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  Card motion = file.card();
+  card.velocity = motion.vector("VTX to VTZ"), card.spin = motion.vector("VRX to VRZ");
+  if (kind == 1) {
+    Card local = file.card();
+    const Eigen::Vector3d along = local.vector("XL to ZL"), in_plane = local.vector("XLIP to ZLIP");
+    if (local.tag("CID", Id::define) != 0)
+      file.refuse({"the axes of the inertia are those of CID, which is not read here: give XL to ZLIP."});
+    const Eigen::Matrix3d axes = axes_of(along, in_plane, 0, file.source(), file.line());
+    card.inertia = (axes * card.inertia * axes.transpose()).eval();
+  }
+  if (node != 0) draft.centres.push_back({draft.deck.inertias.size(), node, file.line()});
+  draft.deck.inertias.push_back(card);
+}
+inline PartContact part_contact(File& file) {
+  Card card = file.card();
+  PartContact contact{card.number("FS"), card.number("FD"), card.number("DC"), 0};
+  file.ignore(card.number("VC"), "VC");
+  contact.thickness = card.number("OPTT");
+  for (const char* what : {"SFT", "SSF", "CPARM8"}) file.ignore(card.number(what), what);
+  return contact;
+}
+
+inline constexpr std::array<std::string_view, 5> part_options{"_INERTIA", "_REPOSITION", "_CONTACT", "_PRINT",
+                                                              "_ATTACHMENT_NODES"};
+inline void parts(File& file, Draft& draft) {
+  std::array<bool, 5> has;
+  has_options(file.base().substr(std::string_view("*PART").size()), part_options, has);
+  const auto [with_inertia, repositions, with_contact, prints, attaches] = has;
   file.for_each_headed_card([&](const std::string& name, Card card) {
     const FileNumber number = draft.own_number("part", Id::part, card, file);
     draft.raw.parts[draft.part(number)].name = name;
     const FileNumber section = card.tag("SECID", Id::other), material = card.tag("MID", Id::material),
                      eos = card.tag("EOSID", Id::material);
-    draft.deck.part_cards.push_back({number, name, section, material, eos, card.tag("HGID", Id::other)});
+    PartCard part{number, name, section, material, eos, card.tag("HGID", Id::other)};
     file.ignore_rest(card);
-    if constexpr (option == PartOption::inertia) {
-      file.ignore(1, "The inertia of each part");
-      Card centre = file.card();
-      centre.pass(4);
-      for (int left = centre.integer("IRCS") == 1 ? 3 : 2; left > 0; --left) file.pass_card();
-    }
-    if constexpr (option == PartOption::contact)
-      if (file.pass_card()) file.ignore(1, "The contact of each part");
+    if (with_inertia) inertia(number, file, draft);
+    if (repositions) file.ignore(file.card().says_more(), "The position of each part");
+    if (with_contact) part.contact = part_contact(file);
+    if (prints) file.pass_card();
+    if (attaches) file.ignore(file.card().says_more(), "The attachment nodes of each part");
+    draft.deck.part_cards.push_back(std::move(part));
   });
+}
+/// One part; its layers stand two on a line.
+inline void composite(File& file, Draft& draft) {
+  std::string name = file.part_heading();
+  Card card = file.card();
+  const FileNumber number = draft.own_number("part", Id::part, card, file);
+  draft.raw.parts[draft.part(number)].name = name;
+  CompositeCard composite{number, card.integer("ELFORM", 2), card.number("SHRF", 1), card.number("NLOC"), {}};
+  file.ignore(card.number("MAREA"), "MAREA");
+  PartCard part{number, std::move(name), 0, 0, 0, card.tag("HGID", Id::other)};
+  if (file.base() == "*PART_COMPOSITE_CONTACT") part.contact = part_contact(file);
+  file.for_each_card([&](Card layers) {
+    for (int i = 0; i < 2; ++i) {
+      const FileNumber material = layers.tag("MID", Id::material);
+      const double thickness = layers.number("THICK"), angle = layers.number("B");
+      layers.pass(1);
+      if (material == 0 && thickness != 0) file.refuse({"a layer has no MID: give it a material."});
+      if (material == 0) continue;
+      if (!(thickness > 0)) file.refuse({"THICK of a layer is not positive: give it its thickness."});
+      composite.layers.push_back({material, thickness, angle});
+    }
+  });
+  draft.deck.part_cards.push_back(std::move(part));
+  draft.deck.composites.push_back(std::move(composite));
 }
 
 inline constexpr auto mesh_keywords = std::to_array<Keyword>({
     {"*NODE", nodes, Invariant::everywhere},
-    {"*ELEMENT_SOLID", solids, Invariant::everywhere},
+    {"*ELEMENT_SOLID", all_solids, Invariant::everywhere},
+    {"*ELEMENT_SOLID_ORTHO", oriented_solids, Invariant::none},
     {"*ELEMENT_SHELL", plates, Invariant::everywhere},
-    {"*ELEMENT_SHELL_THICKNESS", thick_plates},
-    {"*PART", parts<>, Invariant::everywhere},
-    {"*PART_INERTIA", parts<PartOption::inertia>, Invariant::none},
-    {"*PART_CONTACT", parts<PartOption::contact>},
+    {"*PART", parts, Invariant::everywhere},
+    {"*PART_COMPOSITE", composite},
+    {"*PART_COMPOSITE_CONTACT", composite},
 });
+
+/// The readers of *ELEMENT_SHELL and *PART with any of their options; null for other keywords.
+inline const Keyword* keyword_with_options(std::string_view name) {
+  static constexpr Keyword shell{"*ELEMENT_SHELL", plates}, part{"*PART", parts, Invariant::none};
+  std::array<bool, 5> has;
+  if (name.starts_with(shell.name) && has_options(name.substr(shell.name.size()), shell_options, has)) return &shell;
+  if (name.starts_with(part.name) && has_options(name.substr(part.name.size()), part_options, has)) return &part;
+  return nullptr;
+}
 
 }  // namespace strike::detail::dyna

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <strike/ascending.hpp>
+#include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/sets.hpp>
 #include <strike/input/dyna/transformations.hpp>
@@ -113,6 +114,12 @@ class Lookup {
     std::set_difference(added.begin(), added.end(), removed.begin(), removed.end(), std::back_inserter(left));
     return left;
   }
+  /// The axes of a coordinate system.
+  const Eigen::Matrix3d& axes(const Choice& choice) const {
+    for (const CoordinateCard& system : deck_.coordinate_systems)
+      if (system.number == choice.number) return system.axes;
+    refuse_missing(file_, choice, "coordinate system", "*DEFINE_COORDINATE");
+  }
   /// The places of a part, or of the parts of a set.
   std::vector<Index> parts(const Choice& choice) const {
     if (choice.named == Named::part) return {found(draft_.parts, choice, "part", "*PART")};
@@ -202,6 +209,20 @@ inline void add_cell_sums(Draft& draft, const File& file) {
     }
   }
 }
+/// The values of plates by their numbers in the mesh.
+inline std::vector<ShellCard> resolved_shells(const Draft& draft, const Deck& deck) {
+  if (draft.shells.empty()) return {};
+  const std::size_t first = deck.mesh.hexahedra.size() + deck.mesh.tetrahedra.size();
+  const Numbering plates({deck.cell_numbers.begin() + static_cast<std::ptrdiff_t>(first), deck.cell_numbers.end()});
+  std::vector<ShellCard> all;
+  for (const auto& [number, card] : draft.shells)
+    if (const Index place = plates.find(number); place != nothing) {
+      all.push_back(card);
+      all.back().cell = static_cast<Index>(first + place);
+    }
+  std::sort(all.begin(), all.end(), [](const ShellCard& a, const ShellCard& b) { return a.cell < b.cell; });
+  return all;
+}
 inline std::vector<SegmentSet> resolved_segments(Draft& draft, const Finished& mesh, const File& file,
                                                  std::vector<std::string>& warnings) {
   std::vector<SegmentSet> all;
@@ -236,7 +257,9 @@ inline ContactSide contact_side(const Side& side, const char* type, std::uint32_
 
 /// The deck. Errors: those of the mesh; a card names a node, set or part that is not there.
 inline DynaDeck resolved(Draft draft, File& file) {
+  expect_closed_table(draft, file);
   move_nodes(draft, file);
+  place_by_nodes(draft, file);
   add_cell_sums(draft, file);
   draft.raw.repeats_nodes = true;
   Finished mesh = finished(std::move(draft.raw), file.source());
@@ -244,6 +267,7 @@ inline DynaDeck resolved(Draft draft, File& file) {
   mesh.deck.title = std::move(deck.title);
   static_cast<Deck&>(deck) = std::move(mesh.deck);
   deck.part_sets = resolved_part_sets(draft, file, mesh.allowance);
+  deck.shells = resolved_shells(draft, deck);
   deck.segment_sets = resolved_segments(draft, mesh, file, deck.warnings);
 
   deck.node_sets.reserve(deck.node_sets.size() + draft.general_sets.size());  // lookup points to them
@@ -254,7 +278,9 @@ inline DynaDeck resolved(Draft draft, File& file) {
     lookup.add(deck.node_sets.back());
   }
   const auto add = [&](auto& cards, auto& pending) {
-    for (auto& [card, choices] : pending) {
+    for (auto& [card, choices, system] : pending) {
+      if constexpr (requires { card.system; })
+        if (system != 0) card.system = lookup.axes({Named::all, system, choices.front().line});
       card.nodes = lookup.nodes(choices);
       cards.push_back(std::move(card));
     }

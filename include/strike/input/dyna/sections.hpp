@@ -6,12 +6,12 @@
 // Sections, hourglass control, and the title, end time and step factor of the run.
 namespace strike::detail::dyna {
 
-/// Cards of a user's element: points and constants.
-inline void pass_user_cards(FileNumber form, File& file) {
+/// Cards of a user's element: points and constants, LMC after so many fields.
+inline void pass_user_cards(FileNumber form, std::size_t fields, File& file) {
   if (form < 101 || form > 105) return;
   Card head = file.card();
   const FileNumber points = head.integer("NIP");
-  head.pass(3);
+  head.pass(fields);
   const FileNumber constants = head.integer("LMC");
   file.ignore(1, "The element of the user");
   for (FileNumber left = points; left > 0 && file.pass_card(); --left) {
@@ -23,7 +23,7 @@ inline void solid_section(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
     const FileNumber number = draft.own_number("section", Id::other, card, file), form = card.integer("ELFORM", 1);
     draft.deck.sections.push_back({.number = number, .element_form = form, .corner_thickness = {}});
-    pass_user_cards(form, file);
+    pass_user_cards(form, 3, file);  // NXDOF, IHGF, ITAJ
   });
 }
 inline void shell_section(File& file, Draft& draft) {
@@ -47,7 +47,7 @@ inline void shell_section(File& file, Draft& draft) {
       }
     }
     draft.deck.sections.push_back(section);
-    pass_user_cards(section.element_form, file);
+    pass_user_cards(section.element_form, 4, file);  // NXDOF, IUNF, IHGF, ITAJ
   });
 }
 inline void hourglass(File& file, Draft& draft) {
@@ -65,6 +65,7 @@ inline void hourglass(File& file, Draft& draft) {
 }
 
 inline void nothing_more(File&, Draft&) {}
+inline void title_of_run(File& file, Draft&) { file.pass(); }
 inline void title(File& file, Draft& draft) { draft.deck.title = file.heading(); }
 inline void termination(File& file, Draft& draft) {
   Card card = file.card();
@@ -90,6 +91,8 @@ inline constexpr auto section_keywords = std::to_array<Keyword>({
     {"*SECTION_SHELL", shell_section},
     {"*HOURGLASS", hourglass},
     {"*KEYWORD", nothing_more, Invariant::everywhere},
+    {"*KEYWORD_ID", title_of_run, Invariant::everywhere},
+    {"*KEYWORD_JOBID", title_of_run, Invariant::everywhere},
     {"*END", nothing_more, Invariant::everywhere},
     {"*TITLE", title, Invariant::everywhere},
     {"*CONTROL_TERMINATION", termination},
