@@ -1,5 +1,6 @@
 // What no input may do: crash a reader, or leave it with anything but a deck or an Error.
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -40,6 +41,14 @@ void expect_whole(const strike::DynaDeck& deck) {
   };
   expect_nodes(deck.supports), expect_nodes(deck.velocities), expect_nodes(deck.walls);
   for (const auto& set : deck.part_sets) expect_below(set.members, deck.parts.size());
+  for (const auto& set : deck.segment_sets)
+    for (const auto& segment : set.segments)
+      for (const strike::Index node : segment) expect(node < deck.mesh.nodes.size());
+  for (const auto& shell : deck.shells) expect(shell.cell < deck.cell_numbers.size());
+  for (const auto& curve : deck.curves)
+    for (const auto& [a, o] : curve.points) expect(std::isfinite(a) && std::isfinite(o));
+  for (const auto& table : deck.tables) expect(table.values.size() == table.curves.size());
+  for (const auto& system : deck.coordinate_systems) expect(system.axes.isUnitary(1e-6));
   for (const auto& contact : deck.contacts) expect_nodes(std::array{contact.slave, contact.master});
 }
 
@@ -64,7 +73,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   };
   feed("gmsh", [](auto... source) { return strike::read_gmsh(source...); });
   feed("abaqus", [](auto... source) { return strike::read_abaqus(source...); });
-  feed("dyna", [](auto... source) { return strike::read_dyna(source...); });
+  static const char* const decks = std::getenv("DECKS");  // the folder of included files; none without it
+  const strike::ReadOptions options{.folder = decks ? decks : "", .leave_out_elements = true};
+  feed("dyna", [&](auto... source) { return strike::read_dyna(source..., options); });
   expect(readers > 0);
   return 0;
 }

@@ -244,6 +244,13 @@ TEST_CASE("dyna cards: supports, velocities, walls and contacts name nodes and p
   CHECK(deck.warnings.empty());
 }
 
+TEST_CASE("dyna cards: a side of a contact may be a set of segments") {
+  const DynaDeck deck = read(two + "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n3,1,0,3\n*SET_SEGMENT\n3\n1,2,3,4\n3,2,5\n");
+  CHECK(deck.contacts[0].slave.segments == Cells<4>{{0, 1, 2, 3}, {2, 1, 4, 4}});
+  CHECK(deck.contacts[0].slave.parts.empty());
+  CHECK(deck.contacts[0].master.parts == std::vector<FileNumber>{1});
+}
+
 TEST_CASE("dyna cards: a zero or a blank is the default of LS-DYNA") {
   const std::string zero = "0", blank = "";
   for (const std::string& none : {zero, blank}) {
@@ -367,5 +374,7 @@ TEST_CASE("dyna cards: what is wrong is told with its line") {
   refused("*INITIAL_VELOCITY_GENERATION\n1,4\n", "STYP 4 is none: give 1 (part set), 2 (part) or 3 (node set).");
   refused("*INITIAL_VELOCITY_GENERATION\n1,2,3.\n", "the axis of a spin has no direction");
   refused("*INITIAL_VELOCITY_GENERATION\n9,2\n", "line 12: part 9 is not in the file");
+  refused("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n9,8\n*SET_SEGMENT_GENERAL\n9\n",
+          "line 12: the set of segments 9 is not among those read (*SET_SEGMENT_GENERAL on line 13 was skipped)");
   refused("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n9,0,2\n", "line 12: the set of parts 9 is not in the file");
 }

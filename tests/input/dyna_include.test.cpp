@@ -68,7 +68,7 @@ TEST_CASE("dyna include: a message names the file and the line that it is about"
   CHECK_THAT(sentence_of(folder / "after.k"),
              ContainsSubstring(folder / "after.k" + "', line 7: the number of a part"));
   CHECK(read_dyna(folder / "told.k").warnings ==
-        std::vector{"*DAMPING_GLOBAL (3) was skipped: lines 1, 6 of '" + folder / "nodes.k" + "', 7."});
+        std::vector{"*DAMPING_GLOBAL (3 cards) was skipped: lines 1, 6 of '" + folder / "nodes.k" + "', 7."});
 }
 
 TEST_CASE("dyna include: cycles, depth, number and place are bounded") {
@@ -105,6 +105,8 @@ TEST_CASE("dyna include: cycles, depth, number and place are bounded") {
   CHECK_THAT(sentence_of(folder / "deck/self.k"), ContainsSubstring("line 2: the file './self.k' includes itself"));
   CHECK_THAT(sentence_of(folder / "deck/one.k"),
              ContainsSubstring("two.k', line 2: the file 'one.k' includes itself: take one *INCLUDE out."));
+  CHECK_THROWS_WITH(read_dyna("*INCLUDE\n\n*END\n", "a.k"),
+                    ContainsSubstring("line 2: *INCLUDE names no file: write its name below"));
   CHECK_THROWS_WITH(read_dyna("*INCLUDE\nmesh.k\n", "a.k"),
                     "strike: the file 'a.k', line 2: the file 'mesh.k' is included by a text in memory: give the "
                     "folder of its files.");

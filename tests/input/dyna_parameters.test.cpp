@@ -110,4 +110,8 @@ TEST_CASE("dyna parameters: what is wrong is told with its line") {
   refused("*PARAMETER\nRx,1.5\n*NODE\n&x,0\n", "line 4: the number of a node '&x' is 1.5, which is no whole number");
   refused("*PARAMETER\nIx,-1\n*NODE\n&x,0\n", "line 4: the number of a node -1 is out of bounds");
   refused("*NODE\n1,&x\n", "line 2: the coordinate '&x' has no value, because parameter 'X' is not defined above");
+  std::string names;
+  for (int i = 0; i < 1000; ++i) names += "&x";
+  refused("*PARAMETER\nCx," + std::string(1000, 'a') + "\n*" + names + "\n", "line 3: '*&x&x&x");
+  refused("*PARAMETER\nCx," + std::string(1000, 'a') + "\n*" + names + "\n", "is longer than 10,000 characters");
 }

@@ -188,10 +188,11 @@ struct WallCard {
   double friction;
 };
 
-/// One side of a contact: the parts or the nodes that it names. Without either: all parts.
+/// One side of a contact: the parts, the nodes or the faces that it names. Without any: all parts.
 struct ContactSide {
   std::vector<FileNumber> parts = {};
   std::vector<Index> nodes = {};
+  std::vector<std::array<Index, 4>> segments = {};
 };
 
 /// *CONTACT_AUTOMATIC_...

@@ -173,7 +173,8 @@ class Source {
   Source(std::string_view text, std::string name) : Source(text, std::move(name), {}) {}
   /// `options.folder` is that of included files; without it there are none.
   Source(std::string_view text, std::string name, ReadOptions options) : options_(std::move(options)) {
-    if (!options_.folder.empty()) root_ = canonical(options_.folder), current_.real = canonical(name);
+    if (!options_.folder.empty()) root_ = canonical(options_.folder);
+    if (folder_of(name) == options_.folder) current_.real = canonical(name);
     names_.push_back(std::move(name));
     begin(text);
   }
@@ -321,7 +322,8 @@ class Source {
   std::string found(std::string_view file, std::span<const std::string> folders) const {
     std::string name(file);
     std::replace(name.begin(), name.end(), '\\', '/');
-    std::vector<std::string> all{options_.folder, folder_of(names_[current_.name])};
+    std::vector<std::string> all{options_.folder};
+    if (!outer_.empty()) all.push_back(folder_of(names_[current_.name]));
     all.insert(all.end(), folders.begin(), folders.end());
     if (name.starts_with('/')) all = {""};
     std::string outside;

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -108,7 +109,7 @@ struct Draft {
   RawMesh raw = {};
   std::map<FileNumber, std::uint32_t> parts = {};  ///< their places in the deck
   std::vector<RawMesh::Set> part_sets = {};
-  std::map<std::pair<FileNumber, FileNumber>, std::size_t> cell_sets = {};  ///< places in `raw` by scope and number
+  std::map<std::pair<std::string_view, FileNumber>, std::size_t> set_places = {};  ///< by kind and number
   std::vector<PendingSet> general_sets = {}, part_sums = {}, solid_sums = {}, shell_sums = {};
   std::vector<PendingSegments> segment_sets = {};
   std::map<FileNumber, Box> boxes = {};
@@ -120,6 +121,7 @@ struct Draft {
   OpenTable open_table = {};
   std::map<std::pair<std::string_view, FileNumber>, std::uint32_t> defined = {};  ///< lines of cards by kind, number
   std::vector<Pending<SupportCard>> node_supports = {};                           ///< one for each way of being held
+  std::map<std::tuple<std::array<bool, 3>, std::array<bool, 3>, FileNumber>, std::size_t> support_ways = {};
   std::vector<Pending<SupportCard>> set_supports = {};
   std::vector<Pending<VelocityCard>> velocities = {};
   std::vector<Pending<WallCard>> walls = {};
@@ -144,11 +146,9 @@ struct Draft {
     return number;
   }
   void support_node(const SupportCard& way, const Choice& node, FileNumber system = 0) {
-    const auto known = std::find_if(node_supports.begin(), node_supports.end(), [&](const auto& support) {
-      return support.card.held == way.held && support.card.held_turns == way.held_turns && support.system == system;
-    });
-    (known != node_supports.end() ? *known : node_supports.emplace_back(Pending<SupportCard>{way, {}, system}))
-        .choices.push_back(node);
+    const auto [known, is_new] = support_ways.try_emplace({way.held, way.held_turns, system}, node_supports.size());
+    if (is_new) node_supports.push_back({way, {}, system});
+    node_supports[known->second].choices.push_back(node);
   }
 };
 

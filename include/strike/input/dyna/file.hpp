@@ -43,8 +43,9 @@ class File {
       if (line.empty() || line[0] == '$' || trimmed(line).empty()) continue;
       if (line[0] != '*') refuse({shown(line), " stands before any keyword: begin the file with *KEYWORD."});
       any_ = true;
-      begin(upper(trimmed(line.find('&') == line.npos ? std::string(line) : context_.parameters.replaced(line))));
+      begin(upper(trimmed(line.find('&') == line.npos ? std::string(line) : replaced(line))));
       if (!is_include()) return true;
+      names_file_ = false;
     }
   }
   /// The keyword as in the file, and without _TITLE or _ID.
@@ -176,6 +177,13 @@ class File {
     std::string prefix = {}, suffix = {};  ///< of titles
   };
 
+  std::string replaced(std::string_view line) const {
+    try {
+      return context_.parameters.replaced(line);
+    } catch (const NotEvaluated& error) {
+      refuse({shown(line), " is no name, because ", error.why, ": shorten it."});
+    }
+  }
   bool is_include() const { return name_.starts_with("*INCLUDE"); }
   std::string named(std::string_view title) const { return joined({here_.prefix, title, here_.suffix}); }
 
@@ -189,7 +197,7 @@ class File {
       path += trimmed(goes_on ? line.substr(0, line.size() - 1) : line);
       if (!goes_on && !path.empty()) break;
     }
-    if (path.find('&') != path.npos) path = context_.parameters.replaced(path);
+    if (path.find('&') != path.npos) path = replaced(path);
     return !path.empty();
   }
   /// Goes into the next file that the keyword names, or notes the folders that it names.
@@ -202,7 +210,10 @@ class File {
         folders_.push_back(path.starts_with('/') ? path : joined({context_.source.folder(), "/", path}));
       }
     } else if (name_ == "*INCLUDE" || name_ == "*INCLUDE_TRANSFORM") {
-      if (!next_path(path)) return;
+      if (!next_path(path)) {
+        if (!names_file_) refuse({name_, " names no file: write its name below, or take the keyword out."});
+        return;
+      }
       Surroundings inner = here_;
       inner.format = context_.format;
       Offsets offsets = context_.offsets;
@@ -236,6 +247,8 @@ class File {
     second.pass(1);
     if (const std::string prefix(second.text()); !prefix.empty()) inner.prefix += prefix + ".";
     if (const std::string suffix(second.text()); !suffix.empty()) inner.suffix = "." + suffix + inner.suffix;
+    if (inner.prefix.size() + inner.suffix.size() > 200)
+      refuse({"PREFIX and SUFFIX have more than 200 characters together: shorten them."});
     Card units = card();
     const double mass = units.number("FCTMAS", 1), time = units.number("FCTTIM", 1), length = units.number("FCTLEN", 1);
     const std::string_view temperature = units.text();
@@ -259,6 +272,7 @@ class File {
     context_.parameters.leave();
     here_ = std::move(outer_.back()), outer_.pop_back();
     name_ = std::exchange(here_.name, {});
+    names_file_ = true;
     context_.format = keyword_format_ = here_.format;
     context_.offsets = here_.offsets;
     return true;
@@ -320,6 +334,7 @@ class File {
   Format keyword_format_ = Format::standard;  ///< of the keywords that have no sign of their own
   std::vector<std::string> folders_ = {};     ///< of *INCLUDE_PATH
   bool any_ = false;
+  bool names_file_ = false;  ///< the *INCLUDE that is being read has named one
   bool titled_ = false, collects_ = false;
   Skipped skipped_ = {}, ignored_ = {}, values_ = {};
   std::string left_out_ = {};  ///< the first kind of elements that was left out

@@ -85,7 +85,7 @@ inline constexpr std::array<std::string_view, 5> shell_options{"_THICKNESS", "_B
 inline void plates(File& file, Draft& draft) {
   std::array<bool, 5> has;
   has_options(file.base().substr(std::string_view("*ELEMENT_SHELL").size()), shell_options, has);
-  const auto [thickness, beta, system, offset, scalars] = has;
+  const bool thickness = has[0], beta = has[1], system = has[2], offset = has[3], scalars = has[4];
   file.for_each_card([&](Card card) {
     const FileNumber number = card.own_tag("the number of an element", "shell", Id::element, 8);
     RawMesh::Element element{shells + number, {}, 0, file.line(), RawMesh::Shape::quadrilateral};
@@ -145,7 +145,7 @@ inline constexpr std::array<std::string_view, 5> part_options{"_INERTIA", "_REPO
 inline void parts(File& file, Draft& draft) {
   std::array<bool, 5> has;
   has_options(file.base().substr(std::string_view("*PART").size()), part_options, has);
-  const auto [with_inertia, repositions, with_contact, prints, attaches] = has;
+  const bool with_inertia = has[0], repositions = has[1], with_contact = has[2], prints = has[3], attaches = has[4];
   file.for_each_headed_card([&](const std::string& name, Card card) {
     const FileNumber number = draft.own_number("part", Id::part, card, file);
     draft.raw.parts[draft.part(number)].name = name;

@@ -63,7 +63,8 @@ class Parameters {
     };
     return Formula(field, lookup).value();
   }
-  /// A text with &name, or &name^ where more letters follow, replaced where there is a parameter of that name.
+  /// A text with &name, or &name^ where more letters follow, replaced where there is a parameter of that name. Error:
+  /// NotEvaluated, if it grows beyond any line.
   std::string replaced(std::string_view text) const {
     std::string result;
     while (!text.empty()) {
@@ -80,6 +81,7 @@ class Parameters {
         continue;
       }
       result += known->characters ? *known->characters : written(known->number);
+      if (result.size() > 10'000) throw NotEvaluated{"it is longer than 10,000 characters with its parameters"};
       text.remove_prefix(length < text.size() && text[length] == '^' ? length + 1 : length);
     }
     return result;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,8 @@ class Lookup {
       : mesh_(mesh), deck_(deck), draft_(draft), file_(file) {
     for (const NamedSet& set : deck.node_sets) add(set);
     for (const NamedSet& set : deck.part_sets) part_sets_.try_emplace(set.number, &set);
+    for (const SegmentSet& set : deck.segment_sets) segment_sets_.try_emplace(set.number, &set);
+    for (const CoordinateCard& system : deck.coordinate_systems) systems_.try_emplace(system.number, &system);
   }
   void add(const NamedSet& node_set) { node_sets_.try_emplace(node_set.number, &node_set); }
 
@@ -114,11 +117,14 @@ class Lookup {
     std::set_difference(added.begin(), added.end(), removed.begin(), removed.end(), std::back_inserter(left));
     return left;
   }
+  const std::vector<std::array<Index, 4>>& segments(const Choice& choice) const {
+    const auto& segments = found(segment_sets_, choice, "the set of segments", "*SET_SEGMENT")->segments;
+    mesh_.allowance.take(4 * segments.size(), choice.line);
+    return segments;
+  }
   /// The axes of a coordinate system.
   const Eigen::Matrix3d& axes(const Choice& choice) const {
-    for (const CoordinateCard& system : deck_.coordinate_systems)
-      if (system.number == choice.number) return system.axes;
-    refuse_missing(file_, choice, "coordinate system", "*DEFINE_COORDINATE");
+    return found(systems_, choice, "coordinate system", "*DEFINE_COORDINATE")->axes;
   }
   /// The places of a part, or of the parts of a set.
   std::vector<Index> parts(const Choice& choice) const {
@@ -153,6 +159,8 @@ class Lookup {
   const Draft& draft_;
   const File& file_;
   std::map<FileNumber, const NamedSet*> node_sets_ = {}, part_sets_ = {};
+  std::map<FileNumber, const SegmentSet*> segment_sets_ = {};
+  std::map<FileNumber, const CoordinateCard*> systems_ = {};
 };
 
 /// The sets of parts, and those made of them.
@@ -195,16 +203,17 @@ inline std::vector<NamedSet> resolved_part_sets(Draft& draft, const File& file, 
 inline void add_cell_sums(Draft& draft, const File& file) {
   for (const FileNumber scope : {FileNumber(0), shells}) {
     std::vector<PendingSet>& sums = scope == 0 ? draft.solid_sums : draft.shell_sums;
+    const std::string_view kind = scope == 0 ? solid_sets.name : shell_sets.name;
     for (const std::size_t i : in_order(sums, Named::set, file.source())) {
       RawMesh::Set sum{.number = sums[i].number, .name = std::move(sums[i].name), .line = sums[i].line};
       for (const Choice& choice : sums[i].choices) {
-        const auto other = draft.cell_sets.find({scope, choice.number});
-        if (other == draft.cell_sets.end())
+        const auto other = draft.set_places.find({kind, choice.number});
+        if (other == draft.set_places.end())
           refuse_missing(file, choice, scope == 0 ? "the set of solids" : "the set of shells",
                          scope == 0 ? "*SET_SOLID" : "*SET_SHELL");
         sum.others.push_back(other->second);
       }
-      draft.cell_sets.try_emplace({scope, sum.number}, draft.raw.element_sets.size());
+      draft.set_places.try_emplace({kind, sum.number}, draft.raw.element_sets.size());
       draft.raw.element_sets.push_back(std::move(sum));
     }
   }
@@ -250,6 +259,8 @@ inline ContactSide contact_side(const Side& side, const char* type, std::uint32_
   else if (side.kind == 2 || side.kind == 3)
     for (const Index part : lookup.parts({side.kind == 2 ? Named::part_set : Named::part, side.number, line}))
       result.parts.push_back(deck.parts[part].number);
+  else if (side.kind == 0)
+    result.segments = lookup.segments({Named::all, side.number, line});
   else
     file.ignore_on_line(line, joined({type, " ", std::to_string(side.kind), " of a contact (all parts are taken)"}));
   return result;
@@ -278,11 +289,11 @@ inline DynaDeck resolved(Draft draft, File& file) {
     lookup.add(deck.node_sets.back());
   }
   const auto add = [&](auto& cards, auto& pending) {
-    for (auto& [card, choices, system] : pending) {
-      if constexpr (requires { card.system; })
-        if (system != 0) card.system = lookup.axes({Named::all, system, choices.front().line});
-      card.nodes = lookup.nodes(choices);
-      cards.push_back(std::move(card));
+    for (auto& one : pending) {
+      if constexpr (std::is_same_v<decltype(one.card), SupportCard>)
+        if (one.system != 0) one.card.system = lookup.axes({Named::all, one.system, one.choices.front().line});
+      one.card.nodes = lookup.nodes(one.choices);
+      cards.push_back(std::move(one.card));
     }
   };
   add(deck.supports, draft.node_supports), add(deck.supports, draft.set_supports);

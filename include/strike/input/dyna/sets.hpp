@@ -50,16 +50,13 @@ void set(File& file, Draft& draft) {
     }
     file.ignore_rest(card);
   });
-  const auto known =
-      !file.collects()
-          ? all.end()
-          : std::find_if(all.begin(), all.end(), [&](const RawMesh::Set& other) { return other.number == set.number; });
-  if (known != all.end()) {
-    known->sequences.insert(known->sequences.end(), set.sequences.begin(), set.sequences.end());
-  } else {
-    if (file.collects()) draft.defined.try_emplace({kind.name, set.number}, set.line);
-    if constexpr (kind.id == Id::element) draft.cell_sets.try_emplace({kind.scope, set.number}, all.size());
+  const auto [place, is_new] = draft.set_places.try_emplace({kind.name, set.number}, all.size());
+  if (is_new) {
+    draft.defined.try_emplace({kind.name, set.number}, set.line);
     all.push_back(std::move(set));
+  } else {
+    std::vector<RawMesh::Sequence>& sequences = all[place->second].sequences;
+    sequences.insert(sequences.end(), set.sequences.begin(), set.sequences.end());
   }
 }
 
