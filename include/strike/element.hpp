@@ -7,6 +7,7 @@
 #include <strike/element/hex8_points.hpp>
 #include <strike/element/hourglass.hpp>
 #include <strike/element/mass_scaled.hpp>
+#include <strike/element/merged_corners.hpp>
 #include <strike/element/particle.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/plate4_modes.hpp>

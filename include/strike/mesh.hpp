@@ -4,6 +4,7 @@
 #include <strike/mesh/canopy.hpp>
 #include <strike/mesh/check.hpp>
 #include <strike/mesh/cylinder.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/disc.hpp>
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/measure.hpp>

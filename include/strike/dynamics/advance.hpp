@@ -170,6 +170,8 @@ template <class E, class M, class T, class Removal, class Motion, class Volume, 
       if constexpr (All::averages_volume)
         return element.advance(state, material, x, Nodal<T, motions<E>>(v), volume.template mean<T, n>(block.nodes),
                                dt);
+      else if constexpr (All::merges)
+        return element.advance(state, material, x, v, dt, elements.merged_in(b));
       else if constexpr (requires { element.advance(state, material, x, v, dt); })
         return element.advance(state, material, x, v, dt);
       else

@@ -16,6 +16,7 @@
 #include <strike/element/solid_point.hpp>
 #include <strike/error.hpp>
 #include <strike/material/material.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/ledger.hpp>
@@ -89,10 +90,12 @@ class Births {
             throw Error(joined({"strike: node ", std::to_string(cell[i]), " of part ", of, " is no particle of part ",
                                 part, ", its Debris; make these by particles_at_nodes of the same cells."}));
         }
-        largest = std::max(largest, volume(x));
+        // Within a mesh there are as many nodes as hexahedra, and a fifth to a sixth as many as tetrahedra; half as
+        // many as wedges, and a third as many as pyramids.
+        const std::size_t corners = count_different(cell);
+        largest = std::max(largest, (corners == 8 ? 1 : corners == 6 ? 2 : corners == 5 ? 3 : 6) * volume(x));
       }
-    // Within a mesh there are as many nodes as hexahedra, and a fifth to a sixth as many as tetrahedra.
-    return std::cbrt((Source::n == 8 ? 1 : 6) * largest);
+    return std::cbrt(largest);
   }
 
   /// Gives the particles the elements that have been deleted since the last call, at the end of the step dt, and books
@@ -140,9 +143,10 @@ class Births {
     constexpr std::size_t n = Source::n;
     using Number = RealOf<typename Source::Number>;
     std::array<std::size_t, n> particle;
+    std::array<Index, n> cell;
     std::array<Eigen::Vector3d, n> x;
     for (std::size_t i = 0; i < n; ++i) {
-      const Index node = nodes.number(block.nodes[i][l]);
+      const Index node = cell[i] = nodes.number(block.nodes[i][l]);
       particle[i] = particle_at_[node];
       x[i] = nodes.x(node).template cast<double>() - dt * nodes.v(node).template cast<double>();
     }
@@ -152,6 +156,7 @@ class Births {
                  energy = static_cast<double>(lane(block.removal.energy, l));
     double points = 0;
     block.state.each_point([&](const auto&) { points += 1; });
+    const std::array<double, n> shares = corner_shares(cell);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t p = particle[i];
       auto& to = debris.blocks[p / Elements::width];
@@ -161,9 +166,9 @@ class Births {
         set_lane(to.removal.alive, k, Number(1)), set_lane(to.removal.energy, k, Number(0));
         set_lane(state.reference_volume, k, Number(0)), set_lane(to.birth.fresh, k, Number(0));
       }
-      set_lane(to.removal.energy, k, lane(to.removal.energy, k) + static_cast<Number>(energy / n));
+      set_lane(to.removal.energy, k, lane(to.removal.energy, k) + static_cast<Number>(shares[i] * energy / n));
       block.state.each_point([&](const auto& point) {
-        const double before = static_cast<double>(lane(state.reference_volume, k)), more = V0 / (n * points),
+        const double before = static_cast<double>(lane(state.reference_volume, k)), more = shares[i] * V0 / (n * points),
                      share = more / (before + more);
         const auto mix = [&](auto& number, double value) {
           const auto old = static_cast<double>(lane(number, k));

@@ -13,8 +13,10 @@
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/removal.hpp>
 #include <strike/element/element.hpp>
+#include <strike/element/merged_corners.hpp>
 #include <strike/error.hpp>
 #include <strike/material/material.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/motion/gather.hpp>
 #include <strike/range.hpp>
@@ -82,6 +84,7 @@ struct Elements {
   static constexpr bool measures_strain = has_geometry || has_plastic_strain<M>();
   static constexpr bool is_born = strike::detail::is_born<Removal>;
   static constexpr bool averages_volume = requires { requires E::averages_volume; };
+  static constexpr bool merges = merges_corners<E>();
   using State = typename E::template State<M, T>;
   /// Elements of such a part may give no force any more.
   static constexpr bool loses_elements = erodes || requires(const M m, const State s) { m.intact(s.material); };
@@ -101,6 +104,30 @@ struct Elements {
   std::size_t number;  ///< of the part among those of the scene, from 0
   std::vector<Index> order;
   std::vector<Block> blocks{};
+  [[no_unique_address]] std::conditional_t<merges, std::vector<MergedCorners<T>>, Nothing> merged{};  ///< of blocks
+
+  /// Of block b the corners that are the same node, or null if the part has none.
+  const MergedCorners<T>* merged_in(std::size_t b) const
+    requires merges
+  {
+    return merged.empty() ? nullptr : &merged[b];
+  }
+  /// Shares of the corners of a cell in its mass over that of n equal ones.
+  static std::array<double, n> corner_shares(const std::array<Index, n>& cell) {
+    if constexpr (merges) return detail::corner_shares(cell);
+    std::array<double, n> equal;
+    equal.fill(1);
+    return equal;
+  }
+  /// Takes note of the kind of a cell.
+  void merge(std::size_t place, HexahedronKind kind)
+    requires merges
+  {
+    if (kind == HexahedronKind::brick || kind == HexahedronKind::other) return;
+    merged.resize(blocks.size());
+    MergedCorners<T>& in_block = merged[place / width];
+    set_lane(kind == HexahedronKind::wedge ? in_block.wedge : in_block.pyramid, place % width, RealOf<T>(1));
+  }
 
   /// The lanes of block b that hold elements: the first ones.
   std::size_t count(std::size_t b) const { return b + 1 < blocks.size() ? width : size - b * width; }
@@ -137,9 +164,14 @@ struct Elements {
   template <class N>
   [[gnu::cold]] std::string describe(const N& nodes, std::size_t place) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Index i : cell(nodes, place)) sum += nodes.x(i).template cast<double>();
+    double count = 0;
+    const std::array<Index, n> corners = cell(nodes, place);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (n == 8 && std::find(corners.begin(), corners.begin() + i, corners[i]) != corners.begin() + i) continue;
+      sum += nodes.x(corners[i]).template cast<double>(), count += 1;
+    }
     return joined({"element ", std::to_string(order[place]), " of part ", std::to_string(number), " at ",
-                   text(Eigen::Vector3d((1.0 / static_cast<double>(n)) * sum))});
+                   text(Eigen::Vector3d((1 / count) * sum))});
   }
 
   /// The same of the first element whose state is NaN; empty: there is none.

@@ -42,15 +42,21 @@ std::size_t choose_in_block(Part& part, EstimatedPart<E, T>& estimated, std::siz
   if constexpr (turns_nodes<E>())
     resistance = part.element().resistance(state, part.material(), x,
                                            gather<T, n>(motion.velocity, motion.angular_velocity, corners), dt);
+  else if constexpr (merges_corners<E>())
+    resistance = part.element().resistance(state, part.material(), x, gather<T, n>(motion.velocity, corners), dt,
+                                           part.merged_in(b));
   else
     resistance = part.element().resistance(state, part.material(), x, gather<T, n>(motion.velocity, corners), dt);
   std::size_t count = 0;
   for (std::size_t l = 0; l < part.count(b); ++l)
     if (lane(state.followed.per_estimated, l) > 0) {
       ++count;
-      for (const auto& corner : corners) {
-        masses[0][place(corner[l])] += lane(resistance.mass, l);
-        if constexpr (turns_nodes<E>()) masses[1][place(corner[l])] += lane(resistance.inertia, l);
+      std::array<Index, n> cell;
+      for (std::size_t i = 0; i < n; ++i) cell[i] = place(corners[i][l]);
+      const std::array<double, n> shares = Part::corner_shares(cell);
+      for (std::size_t i = 0; i < n; ++i) {
+        masses[0][cell[i]] += static_cast<RealOf<T>>(shares[i]) * lane(resistance.mass, l);
+        if constexpr (turns_nodes<E>()) masses[1][cell[i]] += lane(resistance.inertia, l);
       }
     }
   return count;

@@ -143,6 +143,10 @@ void check_cell(const Elements& elements, const N& nodes, std::size_t place, con
   if constexpr (HasCellShape<Element>) {
     static_assert(corner_count(Element::shape) == n,
                   "strike: the shape of this element has another number of corners than the element has nodes.");
+    if constexpr (n == 8 && !merges_corners<Element>())
+      if (const std::size_t corners = count_different(cell); corners == 6 || corners == 5)
+        throw Error(joined({"strike: ", elements.describe(nodes, place), " is a ", corners == 6 ? "wedge" : "pyramid",
+                            ", which its element does not take; use Hex8, or split it by tetrahedralized(mesh)."}));
     if (well_shaped && CellLaws<Element::shape>::names_right(cell)) return;
   }
   const CellCorners<n> x = corners_at(nodes, cell);

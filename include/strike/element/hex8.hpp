@@ -5,6 +5,7 @@
 #include <strike/element/hex8_modes.hpp>
 #include <strike/element/hex8_resistance.hpp>
 #include <strike/element/hourglass.hpp>
+#include <strike/element/merged_corners.hpp>
 #include <strike/element/physical_hourglass.hpp>
 #include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
@@ -52,6 +53,7 @@ struct Hex8 {
   using Kinematics = SolidKinematics;
   static constexpr int nodes = 8;
   static constexpr CellShape shape = CellShape::hexahedron;
+  static constexpr bool merges_corners = true;
   static constexpr bool flows = std::is_same_v<Hourglass, ViscousHourglass>;
 
   /// The control with a material.
@@ -80,10 +82,11 @@ struct Hex8 {
     return (0.125 * density_of(material)) * V;
   }
 
-  /// `Velocities` are nodal, or convert to them, so that they are loaded where they are needed and not before.
+  /// `Velocities` are nodal, or convert to them, so that they are loaded where they are needed and not before. `merged`
+  /// are corners in the same node, if there are any, whose mass is not that of a corner.
   template <class M, class T, class Velocities>
-  Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v,
-                         double dt) const {
+  Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v, double dt,
+                         const std::type_identity_t<MergedCorners<T>>* merged = nullptr) const {
     constexpr bool physical = std::same_as<Control<M>, PhysicalHourglass>;
     const Control<M>& control = control_with<M>();
     // The order of the statements overlaps long chains of dependent operations (roots, quotients) with others, and
@@ -103,7 +106,9 @@ struct Hex8 {
     const Matrix3<T> L_mid = instant(L, dt);
     T hourglass_overlap = T(0.0);
     if constexpr (controlled) hourglass_overlap = overlap(S, S_b, shrinkage, m, g, per_volume);
-    const Stability<T> stability{shrinkage * trace(S), shrinkage * eigenvalue, specific_volume};
+    const T of_corners = shrinkage * trace(S), largest_of_corners = shrinkage * eigenvalue;  // B:B/V^2 and L1
+    Stability<T> stability{of_corners, largest_of_corners, specific_volume};
+    if (merged) hourglass_overlap = merge(*merged, m, g, per_volume, stability);
 
     const Vector3<T> spin = T(dt) * axial_vector(L_mid);
     const auto to_end = instant.to_end(spin);
@@ -126,7 +131,7 @@ struct Hex8 {
     const T per_mass = (1.0 / density_of(material)) * state.inverse_volume;
     const T control_shear = solid_shear(state.material, before.shear);
     const HourglassElement<T> element{rho,           V,     edge,          per_mass,        before.wave(),
-                                      control_shear, T(dt), shrinkage * S, stability.trace, stability.eigenvalue};
+                                      control_shear, T(dt), shrinkage * S, of_corners, largest_of_corners};
     // (m_k(n+1) - m_k(n))/dt - L m_k, L at the end, is a rate at the start of the step.
     if constexpr (controlled && !physical) {
       HourglassModes<T> rates = hourglass_rates(m, u, L);
@@ -163,6 +168,7 @@ struct Hex8 {
     const Moduli<T> after = material.moduli(state.material, rate);
     const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
     const Vibration<T> vibration = stability.vibration(material, after, zeta);
+    if (merged) hourglass_rate = merged->hourglass_factor() * hourglass_rate;
     if constexpr (controlled)
       response.critical_rate = critical_rate(vibration, hourglass_rate, hourglass_overlap);
     else
@@ -183,7 +189,7 @@ struct Hex8 {
   /// Resistance to a small motion in a step dt from here; v are the velocities of the nodes.
   template <class M, class T>
   Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
-                           double dt) const {
+                           double dt, const std::type_identity_t<MergedCorners<T>>* merged = nullptr) const {
     const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
@@ -192,7 +198,9 @@ struct Hex8 {
     const SolidKinematics::Rate<T> rate{symmetric_part(L), J};
     const Moduli<T> moduli = material.moduli(state.material, rate);
     const SymmetricTensor<T> S = T(1.0 / 512.0) * per_volume * per_volume * (g.squared_a() + g.squared_b());
-    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / density_of(material)) * J};
+    const T of_corners = trace(S), largest_of_corners = largest_eigenvalue(S);
+    Stability<T> stability{of_corners, largest_of_corners, (1.0 / density_of(material)) * J};
+    if (merged) merge(*merged, m, g, per_volume, stability);
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()),
                                               trace(rate.rate_of_deformation));
     Resistance<T> resistance =
@@ -207,8 +215,8 @@ struct Hex8 {
                                         .shear_modulus = solid_shear(state.material, moduli.shear),
                                         .dt = T(dt),
                                         .gradient = S,
-                                        .gradient_squared = stability.trace,
-                                        .gradient_eigenvalue = stability.eigenvalue};
+                                        .gradient_squared = of_corners,
+                                        .gradient_eigenvalue = largest_of_corners};
       T rate_alone;
       if constexpr (std::same_as<Hourglass, PhysicalHourglass>) {
         const HourglassModes<T> rates = hourglass_rates(m, u, L);
@@ -236,6 +244,15 @@ struct Hex8 {
     const T mg = dot(m.b1, g.b1) + dot(m.b2, g.b2) + dot(m.b3, g.b3);
     return max(T(0.0),
                0.125 * shrinkage * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
+  }
+
+  /// Gives the stability the masses of nodes at several corners, and returns the overlap with them.
+  template <class T>
+  [[gnu::noinline]] static T merge(const MergedCorners<T>& merged, const Hex8Modes<T>& m, const Hex8Gradient<T>& g,
+                                   const T& per_volume, Stability<T>& stability) {
+    const MergedGradient<T> gradient(merged, m, g, per_volume);
+    stability.trace = trace(gradient.S), stability.eigenvalue = largest_eigenvalue(gradient.S);
+    return gradient.overlap;
   }
 
   static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;

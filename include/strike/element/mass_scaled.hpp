@@ -32,12 +32,13 @@ struct MassScaled : E {
     }
   };
 
-  template <class M, class T>
-  auto begin(State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x) const {
+  /// `merged`: the corners in the same node, of elements that may have some.
+  template <class M, class T, class... Merged>
+  auto begin(State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x, const Merged*... merged) const {
     auto given = E::begin(state, material, x);
     typename E::template State<M, T> trial = state;
     const Nodal<T, motions<E>> v = Nodal<T, motions<E>>::Constant(T(0.0));
-    const T shortfall = step * E::advance(trial, material, x, v, 0.0).critical_rate;
+    const T shortfall = step * E::advance(trial, material, x, v, 0.0, merged...).critical_rate;
     state.mass_factor = max(T(1.0), shortfall * shortfall);
     if constexpr (turns_nodes<E>())
       given.mass *= state.mass_factor, given.inertia *= state.mass_factor;
@@ -54,11 +55,11 @@ struct MassScaled : E {
     return response;
   }
 
-  template <class M, class T>
+  template <class M, class T, class... Merged>
   auto resistance(const State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x,
-                  const Nodal<T, motions<E>>& v, double dt) const
-      -> decltype(std::declval<const E&>().resistance(state, material, x, v, dt)) {
-    auto resistance = E::resistance(state, material, x, v, dt);
+                  const Nodal<T, motions<E>>& v, double dt, const Merged*... merged) const
+      -> decltype(std::declval<const E&>().resistance(state, material, x, v, dt, merged...)) {
+    auto resistance = E::resistance(state, material, x, v, dt, merged...);
     resistance.mass *= state.mass_factor;
     if constexpr (turns_nodes<E>()) resistance.inertia *= state.mass_factor;
     return resistance;

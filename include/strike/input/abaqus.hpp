@@ -215,11 +215,15 @@ class AbaqusReader {
     const std::string type = upper(required(parameters, "TYPE", "*ELEMENT"));
     RawMesh::Element element{0, {}, 0, 0, Shape::hexahedron};
     if (begins_with_one_of(
-            type, {"C3D10", "C3D15", "C3D2", "C3D5", "C3D6", "S8", "S9", "STRI65", "SC6", "SC8", "CPS6", "CPS8"}))
+            type, {"C3D10", "C3D15", "C3D2", "S8", "S9", "STRI65", "SC6", "SC8", "CPS6", "CPS8"}))
       source_.refuse(
-          {"elements of type ", shown(type), " are not read: mesh in first order with C3D8, C3D4, S4 or S3."});
+          {"elements of type ", shown(type), " are not read: mesh in first order with C3D8, C3D6, C3D5, C3D4, S4 or S3."});
     if (begins_with_one_of(type, {"C3D8"}))
       element.shape = Shape::hexahedron;
+    else if (begins_with_one_of(type, {"C3D6"}))
+      element.shape = Shape::wedge;
+    else if (begins_with_one_of(type, {"C3D5"}))
+      element.shape = Shape::pyramid;
     else if (begins_with_one_of(type, {"C3D4"}))
       element.shape = Shape::tetrahedron;
     else if (begins_with_one_of(type, {"S4", "CPS4"}))
@@ -442,7 +446,7 @@ class AbaqusReader {
 /// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; elements of other types are ignored with a
 /// warning, keywords that do not describe a mesh are skipped with a warning. `name` is the file in messages. Errors:
 /// `*INCLUDE` and INPUT=; keywords that make nodes or elements (`*NGEN`, `*ELGEN`, ...); solids or shells of higher
-/// order, wedges; text in the place of a number; a number given twice; a node, set, part or instance that is not there.
+/// order; text in the place of a number; a number given twice; a node, set, part or instance that is not there.
 inline Deck read_abaqus(std::string_view text, const std::string& name) {
   return detail::within_memory(name, [&] { return detail::AbaqusReader(detail::Source(text, name)).read(); });
 }

@@ -203,14 +203,11 @@ class GmshReader {
       FileNumber type, dimension;
       std::size_t corners;
     };
-    constexpr std::array<Kind, 6> kinds{{{15, 0, 1}, {1, 1, 2}, {2, 2, 3}, {3, 2, 4}, {4, 3, 4}, {5, 3, 8}}};
+    constexpr std::array<Kind, 8> kinds{
+        {{15, 0, 1}, {1, 1, 2}, {2, 2, 3}, {3, 2, 4}, {4, 3, 4}, {5, 3, 8}, {6, 3, 6}, {7, 3, 5}}};
     const auto* const kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.type == type; });
     if (kind == kinds.end())
-      source_.refuse({"element ", std::to_string(number), " is of type ", std::to_string(type),
-                      type == 6   ? " (a wedge)"
-                      : type == 7 ? " (a pyramid)"
-                                  : "",
-                      ", which is not read: mesh in order 1 with hexahedra, tetrahedra, quadrilaterals or triangles."});
+      source_.refuse({"element ", std::to_string(number), " is of type ", std::to_string(type), ", which is not read: mesh in order 1 with hexahedra, tetrahedra, quadrilaterals or triangles."});
     RawMesh::Element element{number, {}, 0, source_.line(), Shape::hexahedron};
     for (std::size_t i = 0; i < kind->corners; ++i) element.corners[i] = tag("a corner");
     Group& group = group_of(kind->dimension, entity, physical);
@@ -226,6 +223,8 @@ class GmshReader {
     element.shape = type == 2   ? Shape::triangle
                     : type == 3 ? Shape::quadrilateral
                     : type == 4 ? Shape::tetrahedron
+                    : type == 6 ? Shape::wedge
+                    : type == 7 ? Shape::pyramid
                                 : Shape::hexahedron;
     raw_.elements.push_back(element);
   }
@@ -335,8 +334,8 @@ class GmshReader {
 
 /// The mesh of a gmsh file (.msh), ASCII of version 2.1, 2.2 or 4.1. Physical groups of volumes and surfaces are parts;
 /// groups of surfaces, lines and points are also sets of nodes. Surface elements on solids, lines and points are only
-/// sets of nodes. `name` is the file in messages. Errors: binary or another version; elements of higher order, wedges
-/// and pyramids; text in the place of a number; a number given twice; a node that is not there; an incomplete file.
+/// sets of nodes. `name` is the file in messages. Errors: binary or another version; elements of higher order;
+/// text in the place of a number; a number given twice; a node that is not there; an incomplete file.
 inline Deck read_gmsh(std::string_view text, const std::string& name) {
   return detail::within_memory(name, [&] { return detail::GmshReader(detail::Source(text, name)).read(); });
 }

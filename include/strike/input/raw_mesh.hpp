@@ -13,6 +13,7 @@
 #include <strike/ascending.hpp>
 #include <strike/input/deck.hpp>
 #include <strike/input/source.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/mesh.hpp>
 
 namespace strike::detail {
@@ -112,7 +113,7 @@ struct RawMesh {
     Eigen::Vector3d x;
     std::uint32_t line;
   };
-  enum class Shape : std::uint8_t { triangle, quadrilateral, tetrahedron, hexahedron };
+  enum class Shape : std::uint8_t { triangle, quadrilateral, tetrahedron, hexahedron, wedge, pyramid };
   struct Element {
     FileNumber number;
     std::array<FileNumber, 8> corners;
@@ -145,7 +146,18 @@ struct RawMesh {
 
 constexpr std::size_t corner_count(RawMesh::Shape shape) {
   using Shape = RawMesh::Shape;
-  return shape == Shape::hexahedron ? 8 : shape == Shape::triangle ? 3 : 4;
+  switch (shape) {
+    case Shape::hexahedron:
+      return 8;
+    case Shape::wedge:
+      return 6;
+    case Shape::pyramid:
+      return 5;
+    case Shape::triangle:
+      return 3;
+    default:
+      return 4;
+  }
 }
 
 /// Eight corners that name a tetrahedron: a b c d d d d d (LS-DYNA) and a b c c d d d d (a brick folded together).
@@ -287,10 +299,16 @@ inline Finished finished(RawMesh raw, const Source& source) {
       c[3] = c[2], cell.shape = Shape::quadrilateral;
     else if (cell.shape == Shape::quadrilateral && different == 3 && c[0] != c[2] && c[1] != c[3])
       while (c[2] != c[3]) std::rotate(c.begin(), c.begin() + 1, c.begin() + 4);
-    else if (cell.shape == Shape::hexahedron && different == 6)
-      refuse("is a wedge: mesh with hexahedra and tetrahedra, or cut it into three tetrahedra.");
-    else if (cell.shape == Shape::hexahedron && different == 5)
-      refuse("is a pyramid: mesh with hexahedra and tetrahedra, or cut it into two tetrahedra.");
+    else if (cell.shape == Shape::wedge && different == 6)
+      c = wedge_cell<Index>({c[0], c[1], c[2], c[3], c[4], c[5]}), cell.shape = Shape::hexahedron;
+    else if (cell.shape == Shape::pyramid && different == 5)
+      c = pyramid_cell<Index>({c[0], c[1], c[2], c[3], c[4]}), cell.shape = Shape::hexahedron;
+    else if (const auto canonical = canonical_hexahedron(c); cell.shape == Shape::hexahedron && canonical)
+      c = *canonical;
+    else if (cell.shape == Shape::hexahedron && (different == 6 || different == 5))
+      refuse(joined({"has ", std::to_string(different),
+                     " different corners, but repeats them otherwise than a wedge, a b c d e e f f, or a pyramid, "
+                     "a b c d e e e e: correct it."}));
     else if (different != count)
       refuse(joined({"has ", std::to_string(different), " different corners of ", std::to_string(count),
                      ": take it out or correct it."}));

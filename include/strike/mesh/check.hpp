@@ -55,7 +55,8 @@ inline void check_particles(std::span<const Eigen::Vector3d> nodes, const Partic
 }  // namespace detail
 
 /// Throws an Error that names the first fault of a mesh: a position that is not finite; a cell that names a node which
-/// does not exist, or one twice, but for a quadrilateral that is a triangle; a hexahedron or tetrahedron that is flat
+/// does not exist, or one twice, but for a quadrilateral that is a triangle and a hexahedron that is a wedge or a
+/// pyramid (strike/mesh/degenerate.hpp); a hexahedron or tetrahedron that is flat
 /// or inside out at a corner; a hexahedron twisted by 60 degrees or more; a quadrilateral that is crossed, concave or
 /// without area; a particle without volume; a node that belongs to no cell. A run checks the cells of its parts by the
 /// same laws.

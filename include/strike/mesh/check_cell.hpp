@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <strike/element/cell_shape.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/scalar/scalar.hpp>
@@ -92,18 +93,42 @@ template <>
 struct CellLaws<CellShape::hexahedron> {
   static constexpr const char *name = "hexahedron", *fault = "flat or inside out",
                               *order = "order its corners 0-3 around the bottom and 4-7 above them, right-handed.",
-                              *corners = "give it 8 different corners, or cut it into tetrahedra.";
+                              *corners = "give it 8 different corners, or make it a wedge a b c c d e f f or a pyramid a b c d e e e "
+                         "e.";
 
-  static bool names_right(const std::array<Index, 8>& cell) { return all_differ(cell); }
+  /// A wedge and a pyramid may be numbered from any of their corners.
+  static bool names_right(const std::array<Index, 8>& cell) {
+    return all_differ(cell) || DegenerateHexahedron(cell).kind != HexahedronKind::other;
+  }
+  /// Of a wedge and a pyramid the corners with three edges, as wedge_cell and pyramid_cell number them.
   template <class T>
-  static void each_corner(const std::array<Index, 8>&, const CellCorners<8, T>& x, const auto& f) {
+  static void each_corner(const std::array<Index, 8>& cell, const CellCorners<8, T>& x_given, const auto& f) {
+    const DegenerateHexahedron degenerate(cell);
+    const CellCorners<8, T> x = in_order(x_given, degenerate.order);
+    const auto edges = [&](unsigned i, unsigned a, unsigned b, unsigned c) {
+      f(CornerJacobian<T>(x[a] - x[i], x[b] - x[i], x[c] - x[i]));
+    };
+    if (degenerate.kind == HexahedronKind::wedge) {
+      edges(0, 1, 2, 4), edges(1, 2, 0, 5), edges(2, 0, 1, 6);
+      edges(4, 6, 5, 0), edges(5, 4, 6, 1), edges(6, 5, 4, 2);
+      return;
+    }
+    if (degenerate.kind == HexahedronKind::pyramid) {
+      edges(0, 1, 3, 4), edges(1, 2, 0, 4), edges(2, 3, 1, 4), edges(3, 0, 2, 4);
+      return;
+    }
     // The neighbours of each corner, so that their edges are right-handed.
     constexpr std::array<std::array<unsigned, 3>, 8> neighbours{
         {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
-    for (std::size_t i = 0; i < 8; ++i) {
-      const auto& [a, b, c] = neighbours[i];
-      f(CornerJacobian<T>(x[a] - x[i], x[b] - x[i], x[c] - x[i]));
-    }
+    for (unsigned i = 0; i < 8; ++i) edges(i, neighbours[i][0], neighbours[i][1], neighbours[i][2]);
+  }
+  /// f(axis, Twist) of the axes about which the cell has two faces: of a wedge the one from triangle to triangle.
+  template <class T>
+  static void each_twist(const std::array<Index, 8>& cell, const CellCorners<8, T>& x, const auto& f) {
+    const DegenerateHexahedron degenerate(cell);
+    const bool is_wedge = degenerate.kind == HexahedronKind::wedge;
+    if (degenerate.kind == HexahedronKind::pyramid) return;
+    for (std::size_t axis = is_wedge ? 2 : 0; axis < 3; ++axis) f(axis, Twist<T>(in_order(x, degenerate.order), axis));
   }
   static double volume(const CellCorners<8>& x) { return hexahedron_volume(x, {0, 1, 2, 3, 4, 5, 6, 7}); }
 };
@@ -152,7 +177,7 @@ T is_well_shaped(const std::array<Index, N>& cell, const CellCorners<N, T>& x, d
   const auto demand = [&](const T& margin) { well = select(margin > 0.0, well, T(0.0)); };  // NaN is no margin
   CellLaws<shape>::each_corner(cell, x, [&](const auto& corner) { demand(corner.margin(least)); });
   if constexpr (shape == CellShape::hexahedron)
-    for (std::size_t axis = 0; axis < 3; ++axis) demand(Twist<T>(x, axis).margin());
+    CellLaws<shape>::each_twist(cell, x, [&](std::size_t, const Twist<T>& twist) { demand(twist.margin()); });
   return well;
 }
 /// A cell breaks none of the laws of its shape.
@@ -184,15 +209,17 @@ template <CellShape shape, std::size_t N>
     if constexpr (shape != CellShape::quadrilateral) volume = joined({" (volume ", text(Laws::volume(x)), ")"});
     return joined({"is ", Laws::fault, where, volume, "; ", Laws::order});
   }
+  std::string twisted;
   if constexpr (shape == CellShape::hexahedron)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const Twist<double> twist(x, axis); !(twist.margin() > 0)) {
-        std::array<std::string, 2> faces;
-        for (std::size_t i = 0; i < 8; ++i) faces[i / 4] += " " + std::to_string(opposite_faces[axis][i]);
-        return joined({"is twisted: corners", faces[1], " are turned against", faces[0], " by ",
-                       text(std::round(twist.degrees())), " degrees; ", Laws::order});
-      }
-  return {};
+    Laws::each_twist(cell, x, [&](std::size_t axis, const Twist<double>& twist) {
+      if (twist.margin() > 0 || !twisted.empty()) return;
+      std::array<std::string, 2> faces;
+      const CornerOrder order = DegenerateHexahedron(cell).order;
+      for (std::size_t i = 0; i < 8; ++i) faces[i / 4] += " " + std::to_string(order[opposite_faces[axis][i]]);
+      twisted = joined({"is twisted: corners", faces[1], " are turned against", faces[0], " by ",
+                        text(std::round(twist.degrees())), " degrees; ", Laws::order});
+    });
+  return twisted;
 }
 
 }  // namespace strike::detail

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/text.hpp>
 
@@ -20,7 +21,7 @@ struct SortedCells {
 };
 
 /// The mesh of a list of cells of all kinds, told apart by the nodes that they name, counted from 0: eight are a
-/// hexahedron, four a quadrilateral, and five of which the last repeats the first a tetrahedron (the input of X3D). A
+/// hexahedron (a wedge or pyramid repeats corners), four a quadrilateral, and five of which the last repeats the first a tetrahedron (the input of X3D). A
 /// quadrilateral that names two neighbouring corners alike is a triangle. Cells of a kind keep their order. Errors: any
 /// other list of nodes; a node that is not there.
 inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<const std::vector<Index>> cells) {
@@ -48,8 +49,12 @@ inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<
                                std::to_string(mesh.nodes.size()), " nodes; count them from 0."}));
     const auto number = static_cast<Index>(e);
     if (cell.size() == 8) {
-      refuse_repeated(8, "hexahedron", "give it eight different corners, and write a tetrahedron as a b c d a.");
-      mesh.hexahedra.push_back(corners(std::array<Index, 8>{})), hexahedra.push_back(number);
+      const auto canonical = canonical_hexahedron(corners(std::array<Index, 8>{}));
+      if (!canonical)
+        refuse_repeated(8, "hexahedron",
+                        "give it eight different corners, or make it a wedge a b c c d e f f or a pyramid a b c d e e "
+                        "e e, and write a tetrahedron as a b c d a.");
+      mesh.hexahedra.push_back(*canonical), hexahedra.push_back(number);
     } else if (cell.size() == 5) {
       if (cell[4] != cell[0])
         refuse("names five nodes, and the last is not the first; write a tetrahedron as a b c d a.");

@@ -261,12 +261,14 @@ Particles particles_at_nodes(std::span<const Eigen::Vector3d> nodes, const Cells
   Particles made;
   for (const auto& cell : cells) {
     const double volume = solid_volume(nodes, cell);
-    for (const Index node : cell) {
+    const std::array<double, n> shares = detail::corner_shares(cell);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index node = cell[i];
       if (particle[node] == none) {
         particle[node] = made.size();
         made.cells.push_back({node}), made.volumes.push_back(0);
       }
-      made.volumes[particle[node]] += volume / n;
+      made.volumes[particle[node]] += shares[i] * volume / n;
     }
   }
   return made;

@@ -40,13 +40,17 @@ template <class P>
 concept PositionPredicate =
     std::predicate<P, const Eigen::Vector3d&> || std::predicate<P, const Eigen::Vector3d&, double>;
 
-/// Mean position of the corners of a cell [length].
+/// Mean position of the corners of a cell [length]; a wedge has 6, a pyramid 5.
 template <std::size_t N>
 Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> nodes, const std::array<Index, N>& cell) {
   using namespace detail;
   Eigen::Vector3d sum{0, 0, 0};
-  for (const Index node : cell) sum += nodes[node];
-  return (1.0 / N) * sum;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (N == 8 && std::find(cell.begin(), cell.begin() + i, cell[i]) != cell.begin() + i) continue;
+    sum += nodes[cell[i]], ++count;
+  }
+  return (1.0 / static_cast<double>(count)) * sum;
 }
 
 namespace detail {

@@ -47,13 +47,27 @@ inline constexpr std::array<std::array<unsigned, 4>, 6> hexahedron_faces{
 inline constexpr std::array<std::array<unsigned, 4>, 4> tetrahedron_faces{
     {{0, 2, 1, 1}, {0, 1, 3, 3}, {1, 2, 3, 3}, {2, 0, 3, 3}}};
 
-/// Appends all faces of all cells, which are numbered from `first_cell`.
+/// The face with its repeated corner, if it has one, in the last two places; false if it has fewer than three corners.
+inline bool is_face(Face& face) {
+  auto& n = face.nodes;
+  if (n[0] == n[2] || n[1] == n[3]) return false;
+  int alike = 0;
+  for (std::size_t i = 0; i < 4; ++i) alike += n[i] == n[(i + 1) % 4];
+  if (alike == 1)
+    while (n[2] != n[3]) std::rotate(n.begin(), n.begin() + 1, n.end());
+  return alike <= 1;
+}
+
+/// Appends all faces of all cells, which are numbered from `first_cell`; of a wedge or a pyramid not those of a
+/// hexahedron that have become an edge or a point.
 template <std::size_t N, std::size_t F>
 void append_faces(std::vector<Face>& faces, const Cells<N>& cells,
                   const std::array<std::array<unsigned, 4>, F>& corners, std::size_t first_cell) {
   for (std::size_t e = 0; e < cells.size(); ++e)
-    for (const auto& [a, b, c, d] : corners)
-      faces.push_back({{cells[e][a], cells[e][b], cells[e][c], cells[e][d]}, static_cast<Index>(first_cell + e)});
+    for (const auto& [a, b, c, d] : corners) {
+      Face face{{cells[e][a], cells[e][b], cells[e][c], cells[e][d]}, static_cast<Index>(first_cell + e)};
+      if (N == 4 || is_face(face)) faces.push_back(face);
+    }
 }
 
 /// The places of the faces that no other face of the list coincides with, in ascending order; linear in their number.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/select.hpp>
@@ -93,12 +94,18 @@ inline std::vector<char> alternating_corners(const Mesh& mesh) {
 /// The mesh with each hexahedron split into tetrahedra that fit those of its neighbours. It keeps all nodes. Hexahedron
 /// e gives six or five tetrahedra in a row, after the tetrahedra of the mesh.
 /// - Split::six: every face is cut along the diagonal from its node of lowest number (rule of Dompierre et al. 1999),
-///   and the cell is the cone from its lowest node over the three faces that do not touch it.
+///   and the cell is the cone from its lowest node over the faces that do not touch it, three of a hexahedron. A wedge
+///   gives three tetrahedra and a pyramid two.
 /// - Split::five: one between four corners of which no two share an edge, a third of a cube, and one at each of the
 ///   others. Neighbours alternate. All shapes here can be split so, round ones too: whatever has no hole.
-/// Error: five where hexahedra go around a hole in an odd number.
+/// Errors: five where hexahedra go around a hole in an odd number, or of a wedge or a pyramid.
 inline Mesh tetrahedralized(Mesh mesh, Split split = Split::six) {
   if (split == Split::five) {
+    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e)
+      if (const std::size_t corners = detail::count_different(mesh.hexahedra[e]); corners != 8)
+        throw Error(detail::joined({"strike: hexahedron ", std::to_string(e), " has ", std::to_string(corners),
+                                    " different corners, so it is not split into five tetrahedra; split by "
+                                    "Split::six."}));
     const std::vector<char> odd = detail::alternating_corners(mesh);
     for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
       const auto& c = mesh.hexahedra[e];
@@ -114,13 +121,13 @@ inline Mesh tetrahedralized(Mesh mesh, Split split = Split::six) {
   for (const auto& cell : mesh.hexahedra) {
     const Index apex = *std::min_element(cell.begin(), cell.end());
     for (const auto& corners : detail::hexahedron_faces) {
-      std::array<Index, 4> face;
-      for (std::size_t i = 0; i < 4; ++i) face[i] = cell[corners[i]];
-      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-      if (face[0] == apex) continue;
-      const auto& [a, b, c, d] = face;  // clockwise seen from the apex, which is inside
+      Face face{{cell[corners[0]], cell[corners[1]], cell[corners[2]], cell[corners[3]]}, 0};
+      if (!detail::is_face(face) || std::find(face.nodes.begin(), face.nodes.end(), apex) != face.nodes.end()) continue;
+      if (!face.is_triangle())
+        std::rotate(face.nodes.begin(), std::min_element(face.nodes.begin(), face.nodes.end()), face.nodes.end());
+      const auto& [a, b, c, d] = face.nodes;  // clockwise seen from the apex, which is inside
       mesh.tetrahedra.push_back({a, c, b, apex});
-      mesh.tetrahedra.push_back({a, d, c, apex});
+      if (!face.is_triangle()) mesh.tetrahedra.push_back({a, d, c, apex});
     }
   }
   mesh.hexahedra.clear();

@@ -19,6 +19,7 @@
 #include <strike/error.hpp>
 #include <strike/material/kinematics.hpp>
 #include <strike/material/point_values.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/output/field.hpp>
 #include <strike/output/file.hpp>
@@ -126,6 +127,18 @@ class VtuCells {
     }
     return 2;  // VTK_POLY_VERTEX
   }
+  /// Of a degenerate hexahedron the wedge or pyramid. VTK's wedge has the two triangles the other way round: the normal
+  /// of its first looks away from its second.
+  void add_hexahedron(const std::array<Index, 8>& cell) {
+    const DegenerateHexahedron degenerate(cell);
+    const auto c = in_order(cell, degenerate.order);
+    if (degenerate.kind == HexahedronKind::wedge)
+      add(std::array{c[0], c[2], c[1], c[4], c[6], c[5]}, kind(6, true));
+    else if (degenerate.kind == HexahedronKind::pyramid)
+      add(std::array{c[0], c[1], c[2], c[3], c[4]}, kind(5, true));
+    else
+      add(cell, kind(8, true));
+  }
   template <class Cell>
   void add(const Cell& cell, std::uint8_t kind) {
     for (const Index node : cell) {
@@ -207,7 +220,7 @@ class VtuCells {
 }  // namespace detail
 
 /// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the
-/// cells of the mesh (hexahedra, tetrahedra, quadrilaterals, then particles), fields by node and by cell in the same
+/// cells of the mesh (hexahedra, of which degenerate ones are wedges and pyramids, tetrahedra, quadrilaterals, then particles), fields by node and by cell in the same
 /// order. Fields of 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file
 /// appears whole or not at all. Errors: numbers of rows that do not fit; a cell with a node that is not there; a field
 /// without a name, or two of the same; a file that cannot be written.
@@ -221,7 +234,7 @@ class VtuCells {
                         " nodes, but got ", std::to_string(positions.size()), " rows of ",
                         std::to_string(positions.components()), ": give the positions of the nodes of the mesh."}));
   detail::VtuCells cells;
-  for (const auto& cell : mesh.hexahedra) cells.add(cell, detail::VtuCells::kind(8, true));
+  for (const auto& cell : mesh.hexahedra) cells.add_hexahedron(cell);
   for (const auto& cell : mesh.tetrahedra) cells.add(cell, detail::VtuCells::kind(4, true));
   for (const auto& cell : mesh.quadrilaterals) cells.add(cell, detail::VtuCells::kind(4, false));
   for (const auto& cell : mesh.particles) cells.add(cell, detail::VtuCells::kind(1, false));
@@ -242,10 +255,13 @@ void write_vtu(const std::string& path, const Run& run) {
     const auto all = part.cells(run.nodes());
     const std::vector<SymmetricTensor<double>> stress = part.field(StressTensor{});
     const std::vector<double> plastic_strain = part.field(PlasticStrain{});
-    constexpr auto kind = detail::VtuCells::kind(Part::n, !is_flat<typename Part::Element>);
+    [[maybe_unused]] constexpr auto kind = detail::VtuCells::kind(Part::n, !is_flat<typename Part::Element>);
     for (std::size_t e = 0; e < all.size(); ++e) {
       if (!alive[e]) continue;
-      cells.add(all[e], kind);
+      if constexpr (Part::n == 8)
+        cells.add_hexahedron(all[e]);
+      else
+        cells.add(all[e], kind);
       parts.push_back(static_cast<double>(part.number()));
       stresses.push_back(stress[e]);
       plastic_strains.push_back(plastic_strain[e]);
