@@ -158,11 +158,14 @@ TEST_CASE("abaqus: what is wrong is told with its line") {
   refused("*NODE, SYSTEM=C\n", "the nodes have the system 'C': give Cartesian coordinates.");
   refused("*ELEMENT, ELSET=a\n", "*ELEMENT has no TYPE: write *ELEMENT, TYPE=...");
   refused("*ELEMENT, TYPE=C3D10M\n", "elements of type 'C3D10M' are not read: mesh in first order");
-  refused("*ELEMENT, TYPE=C3D6\n", "elements of type 'C3D6' are not read");
+  refused("*ELEMENT, TYPE=C3D15\n", "elements of type 'C3D15' are not read");
   refused(cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7\n*STEP\n", "element 1 of type C3D8 has 7 corners of 8");
   refused(cube + "*ELEMENT, TYPE=C3D4\n1,1,2,3,5,6\n", "element 1 has too many corners for its type C3D4");
-  refused(cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,3,5,6,7,7\n", "line 11: element 1 is a wedge");
-  refused(cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,5,5,5\n", "line 11: element 1 is a pyramid");
+  refused(cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,3,5,5,6,7\n",
+          "line 11: element 1 has 6 different corners, but repeats them otherwise than a wedge, a b c d e e f f, or a "
+          "pyramid, a b c d e e e e: correct it.");
+  refused(cube + "*ELEMENT, TYPE=C3D6\n1,1,2,3,5,6,6\n", "line 11: element 1 has 5 different corners of 6");
+  refused(cube + "*ELEMENT, TYPE=C3D5\n1,1,2,3,4\n", "element 1 of type C3D5 has 4 corners of 5");
   refused(cube + "*NSET, NSET=a\n1, 99\n", "line 11: node 99 is not in the file");
   refused(cube + "*NSET, NSET=a\nb\n", "set 'a' holds 'b', which is neither a number nor a set before it");
   refused("*NSET\n1\n", "*NSET has no NSET");

@@ -389,7 +389,8 @@ TEST_CASE("dyna: what is wrong is told with its line") {
   refused("*NODE\n1,0,0,0,8\n", "the constraint 8 of a node is none: give 0 to 7.");
   refused("*NODE\n1,0,0,0\n1,0,0,1e-9\n", "line 3: node 1 is on line 2 already");
   refused(cube + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,9\n", "line 13: element 1 names node 9, which is not in the file");
-  refused(cube + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,5,6,6\n", "line 13: element 1 is a wedge");
+  refused(cube + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,6,6\n",
+          "line 13: element 1 has 6 different corners, but repeats them otherwise");
   refused(cube + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8,1,2\n", "line 13: element 1 is a tetrahedron of ten nodes");
   refused(cube + "*ELEMENT_SHELL\n1,1,1,2,3,4,5,6,7,8\n", "line 13: element 1 is a shell of more than four nodes");
   refused(cube + "*ELEMENT_SHELL\n1,1,1,2,3,4\n1,1,1,2,3,4\n", "line 14: element 1 is on line 13 already");

@@ -86,7 +86,7 @@ struct Hex8 {
   /// are corners in the same node, if there are any, whose mass is not that of a corner.
   template <class M, class T, class Velocities>
   Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v, double dt,
-                         const std::type_identity_t<MergedCorners<T>>* merged = nullptr) const {
+                         const MergedCorners<std::type_identity_t<T>>* merged = nullptr) const {
     constexpr bool physical = std::same_as<Control<M>, PhysicalHourglass>;
     const Control<M>& control = control_with<M>();
     // The order of the statements overlaps long chains of dependent operations (roots, quotients) with others, and
@@ -189,7 +189,7 @@ struct Hex8 {
   /// Resistance to a small motion in a step dt from here; v are the velocities of the nodes.
   template <class M, class T>
   Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
-                           double dt, const std::type_identity_t<MergedCorners<T>>* merged = nullptr) const {
+                           double dt, const MergedCorners<std::type_identity_t<T>>* merged = nullptr) const {
     const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
