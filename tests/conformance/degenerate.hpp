@@ -35,12 +35,15 @@ struct Degenerate : E {
   template <class M, class T>
   Response<T, n> advance(State<M, T>& state, const M& material, const Nodal<T, n>& x, const Nodal<T, n>& v,
                          double dt) const {
-    MergedCorners<T> merged;
-    (n == 6 ? merged.wedge : merged.pyramid) = T(1.0);
-    const Response<T, 8> r = E::advance(state, material, at_corners<T>(x), at_corners<T>(v), dt, &merged);
+    MergedCorners<T> corners;
+    (n == 6 ? corners.wedge : corners.pyramid) = T(1.0);
+    const MergedGradient<T> merged(corners, at_corners<T>(x));
+    VibrationSources<T> sources;
+    const Response<T, 8> r = E::advance(state, material, at_corners<T>(x), at_corners<T>(v), dt, &sources);
+    const T own = E::merged_rate(state, material, merged, r.volume, sources);
     Response<T, n> response{{},
                             r.volume,
-                            r.critical_rate,
+                            select(r.critical_rate > 0.0, own, r.critical_rate),
                             r.internal_work,
                             r.hourglass_work,
                             r.bulk_viscosity_work};
@@ -67,8 +70,8 @@ verify::ElementVibration<> vibration_of(const verify::SingleElement<E, M>& singl
 /// Corners of a prism over an equilateral triangle and of a pyramid over a square, of edges 1.
 inline Nodal<double, 6> unit_wedge() {
   Nodal<double, 6> x;
-  x << 0, 1, 0.5, 0, 1, 0.5,                                    //
-      0, 0, std::sqrt(0.75), 0, 0, std::sqrt(0.75),             //
+  x << 0, 1, 0.5, 0, 1, 0.5,                         //
+      0, 0, std::sqrt(0.75), 0, 0, std::sqrt(0.75),  //
       0, 0, 0, 1, 1, 1;
   return x;
 }

@@ -148,11 +148,6 @@ auto vibration(Run& run) {
             const double share = element.pressure.share, J = element.volume(X) * block.state.inverse_volume;
             const D nodal = (block.state.relative_volume - (1 - share) * J) / share + over * D::variable(0, 3);
             return element.advance(state, law, x, v, nodal, over).force;
-          } else if constexpr (merges_corners<E>()) {
-            const auto* merged = part.merged_in(static_cast<std::size_t>(&block - part.blocks().data()));
-            MergedCorners<D> dual;
-            if (merged) dual.wedge = merged->wedge, dual.pyramid = merged->pyramid;
-            return element.advance(state, law, x, v, over, merged ? &dual : nullptr).force;
           } else {
             return element.advance(state, law, x, v, over).force;
           }

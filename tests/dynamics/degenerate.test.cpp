@@ -62,8 +62,7 @@ struct Random {
   void begin(N& nodes) const {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> unit(-speed, speed);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodes.set_velocity(i, {unit(random), unit(random), unit(random)});
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes.set_velocity(i, {unit(random), unit(random), unit(random)});
   }
 };
 
@@ -117,8 +116,8 @@ TEST_CASE("wedges and pyramids in a run: the patch test, beside hexahedra, in an
   double inside = 0, outside = 0;
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
     const auto& x = mesh.nodes[i];
-    const bool inner = x.x() > 1e-9 && x.x() < 1.5 - 1e-9 && x.y() > 1e-9 && x.y() < 1 - 1e-9 && x.z() > 1e-9 &&
-                       x.z() < 1 - 1e-9;
+    const bool inner =
+        x.x() > 1e-9 && x.x() < 1.5 - 1e-9 && x.y() > 1e-9 && x.y() < 1 - 1e-9 && x.z() > 1e-9 && x.z() < 1 - 1e-9;
     const double kick = run.nodes().mass(i) * (run.velocities()[i] - before[i]).norm();
     (inner ? inside : outside) = std::max(inner ? inside : outside, kick);
   }
@@ -129,7 +128,9 @@ TEST_CASE("wedges and pyramids in a run: the patch test, beside hexahedra, in an
   CHECK(mass == Approx(2 * volume(mesh)).epsilon(1e-13));
 }
 
-TEST_CASE("wedges and pyramids in a run: the step is below the exact limit of the mesh, and near it by the estimate of the whole") {
+TEST_CASE(
+    "wedges and pyramids in a run: the step is below the exact limit of the mesh, and near it by the estimate of the "
+    "whole") {
   for (const Mesh& mesh :
        {testing::cut_into_wedges(box({.size = {1, 1, 1}, .cells = {2, 2, 2}})),
         testing::cut_into_pyramids(box({.size = {1, 1, 1}, .cells = {2, 1, 1}})), distorted({3, 2, 2}, 0.3)}) {

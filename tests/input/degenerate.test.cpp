@@ -10,7 +10,8 @@ using namespace strike;
 
 namespace {
 
-/// A wedge of 1 x 1 x 3 on the triangle under the diagonal, and a pyramid of the height 2 on its quadrilateral at y = 0.
+/// A wedge of 1 x 1 x 3 on the triangle under the diagonal, and a pyramid of the height 2 on its quadrilateral at y =
+/// 0.
 void is_the_pair(const Deck& deck) {
   const Mesh& mesh = deck.mesh;
   REQUIRE(mesh.hexahedra.size() == 2);
@@ -44,14 +45,12 @@ TEST_CASE("wedges and pyramids: types 6 and 7 of gmsh, C3D6 and C3D5 of Abaqus, 
   is_the_pair(read_gmsh("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n7\n" + listed(" ") +
                             "$EndNodes\n$Elements\n2\n1 6 2 1 1 1 2 3 4 5 6\n2 7 2 1 1 1 2 5 4 7\n$EndElements\n",
                         "pair.msh"));
-  is_the_pair(read_abaqus("*NODE\n" + listed(",") +
-                              "*ELEMENT, TYPE=C3D6\n1,1,2,3,4,5,6\n*ELEMENT, TYPE=C3D5H\n2,1,2,5,4,7\n",
-                          "pair.inp"));
-  is_the_pair(read_abaqus("*NODE\n" + listed(",") +
-                              "*ELEMENT, TYPE=C3D8R\n1,1,2,3,3,4,5,6,6\n2,1,2,5,4,7,7,7,7\n",
+  is_the_pair(read_abaqus(
+      "*NODE\n" + listed(",") + "*ELEMENT, TYPE=C3D6\n1,1,2,3,4,5,6\n*ELEMENT, TYPE=C3D5H\n2,1,2,5,4,7\n", "pair.inp"));
+  is_the_pair(read_abaqus("*NODE\n" + listed(",") + "*ELEMENT, TYPE=C3D8R\n1,1,2,3,3,4,5,6,6\n2,1,2,5,4,7,7,7,7\n",
                           "pair.inp"));
   // n1 n2 n3 n4 n5 n5 n6 n6, its wedge, from the quadrilateral at y = 0 to the edge at y = 1.
-  is_the_pair(read_dyna("*KEYWORD\n*NODE\n" + listed(",") +
-                            "*ELEMENT_SOLID\n1,1,2,1,4,5,3,3,6,6\n2,1,1,2,5,4,7,7,7,7\n*END\n",
-                        "pair.k"));
+  is_the_pair(
+      read_dyna("*KEYWORD\n*NODE\n" + listed(",") + "*ELEMENT_SOLID\n1,1,2,1,4,5,3,3,6,6\n2,1,1,2,5,4,7,7,7,7\n*END\n",
+                "pair.k"));
 }

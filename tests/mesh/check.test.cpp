@@ -151,9 +151,10 @@ TEST_CASE("check names a node that does not exist") {
 TEST_CASE("check names a node that a cell has twice") {
   Mesh mesh = box({.size = {2, 2, 2}, .cells = {2, 1, 1}});
   mesh.hexahedra[0][2] = mesh.hexahedra[0][1];
-  CHECK_THROWS_WITH(check(mesh),
-                    "strike: hexahedron 0 at (0.428571, 0.857143, 1.14286) names node 1 twice; give it 8 different corners, "
-                    "or make it a wedge a b c c d e f f or a pyramid a b c d e e e e.");
+  CHECK_THROWS_WITH(
+      check(mesh),
+      "strike: hexahedron 0 at (0.428571, 0.857143, 1.14286) names node 1 twice; give it 8 different corners, "
+      "or make it a wedge a b c c d e f f or a pyramid a b c d e e e e.");
 }
 
 TEST_CASE("check names a hexahedron that is inside out, flat or crossed, and where") {

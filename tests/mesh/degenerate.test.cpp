@@ -113,7 +113,8 @@ TEST_CASE("degenerate hexahedra: check takes what turns a wedge or a pyramid ont
   };
   CHECK_THAT(message(wedge, {0, 1, 2, 2, 4, 5, 3, 3}),
              ContainsSubstring("is twisted: corners 4 5 6 7 are turned against 0 1 2 3 by"));
-  CHECK_THAT(message(wedge, {0, 2, 1, 1, 3, 5, 4, 4}), ContainsSubstring("is flat or inside out at corner 0 (volume -3)"));
+  CHECK_THAT(message(wedge, {0, 2, 1, 1, 3, 5, 4, 4}),
+             ContainsSubstring("is flat or inside out at corner 0 (volume -3)"));
   CHECK_THAT(message(wedge, {0, 1, 2, 3, 3, 4, 5, 5}),
              ContainsSubstring("names node 3 twice; give it 8 different corners, or make it a wedge a b c c d e f f or "
                                "a pyramid a b c d e e e e."));

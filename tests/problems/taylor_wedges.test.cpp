@@ -33,10 +33,14 @@ TEST_CASE("Taylor bar, each hexahedron cut into two wedges") {
                  << run.steps() << " error " << run.energy().error());
   auto viscous = taylor::bar(data, mesh, in<Pack<double>>, Hex8{ViscousHourglass{}});
   viscous.until(data.end);
-  WARN("wedges viscous " << taylor::length(viscous) << " " << taylor::radius(viscous) << " " << taylor::plastic_strain(viscous) << " "
-                 << viscous.steps() << " hg " << viscous.energy().hourglass / viscous.energy().initial);
-  auto pyramids = taylor::bar(data, testing::cut_into_pyramids(cylinder({.radius = data.radius, .length = data.length, .cells = 3, .layers = 50})), in<Pack<double>>);
+  WARN("wedges viscous " << taylor::length(viscous) << " " << taylor::radius(viscous) << " "
+                         << taylor::plastic_strain(viscous) << " " << viscous.steps() << " hg "
+                         << viscous.energy().hourglass / viscous.energy().initial);
+  auto pyramids = taylor::bar(
+      data,
+      testing::cut_into_pyramids(cylinder({.radius = data.radius, .length = data.length, .cells = 3, .layers = 50})),
+      in<Pack<double>>);
   pyramids.until(data.end);
-  WARN("pyramids " << taylor::length(pyramids) << " " << taylor::radius(pyramids) << " " << taylor::plastic_strain(pyramids) << " "
-                 << pyramids.steps());
+  WARN("pyramids " << taylor::length(pyramids) << " " << taylor::radius(pyramids) << " "
+                   << taylor::plastic_strain(pyramids) << " " << pyramids.steps());
 }

@@ -166,17 +166,25 @@ template <class E, class M, class T, class Removal, class Motion, class Volume, 
     const Nodal<T, E::nodes> x = gather<T, n>(motion.position, block.nodes);
     const VelocitiesOf<E, T, Motion> v{schedule.velocities(b, motion), block.nodes};
     using Answer = Response<T, motions<E>>;
-    std::conditional_t<erodes, Answer, const Answer> response = [&] {
+    [[maybe_unused]] VibrationSources<T> sources;  // of elements that merge corners
+    std::conditional_t<erodes || All::merges, Answer, const Answer> response = [&] {
       if constexpr (All::averages_volume)
         return element.advance(state, material, x, Nodal<T, motions<E>>(v), volume.template mean<T, n>(block.nodes),
                                dt);
       else if constexpr (All::merges)
-        return element.advance(state, material, x, v, dt, elements.merged_in(b));
+        return element.advance(state, material, x, v, dt, &sources);
       else if constexpr (requires { element.advance(state, material, x, v, dt); })
         return element.advance(state, material, x, v, dt);
       else
         return element.advance(state, material, x, Nodal<T, motions<E>>(v), dt);
     }();
+    if constexpr (All::merges)
+      if (elements.merges_in(b)) {
+        const VibrationSources<T> known = sources;
+        const T rate = response.critical_rate, V = response.volume;
+        response.critical_rate = elements.merged_rate(b, motion.position, rate, V, known);
+        if constexpr (requires { element.record(state, response); }) element.record(state, response);
+      }
     if constexpr (erodes)
       erode(elements, b, state, x, dt, response, outcome.deletions,
             [&] { return T(0.5 * dt * response.force.cwiseProduct(Nodal<T, motions<E>>(v)).sum()); });

@@ -168,8 +168,8 @@ class Births {
       }
       set_lane(to.removal.energy, k, lane(to.removal.energy, k) + static_cast<Number>(shares[i] * energy / n));
       block.state.each_point([&](const auto& point) {
-        const double before = static_cast<double>(lane(state.reference_volume, k)), more = shares[i] * V0 / (n * points),
-                     share = more / (before + more);
+        const double before = static_cast<double>(lane(state.reference_volume, k)),
+                     more = shares[i] * V0 / (n * points), share = more / (before + more);
         const auto mix = [&](auto& number, double value) {
           const auto old = static_cast<double>(lane(number, k));
           set_lane(number, k, static_cast<Number>(share < 1 ? old + share * (value - old) : value));

@@ -106,11 +106,26 @@ struct Elements {
   std::vector<Block> blocks{};
   [[no_unique_address]] std::conditional_t<merges, std::vector<MergedCorners<T>>, Nothing> merged{};  ///< of blocks
 
-  /// Of block b the corners that are the same node, or null if the part has none.
-  const MergedCorners<T>* merged_in(std::size_t b) const
+  /// Elements of block b have corners in the same node.
+  bool merges_in(std::size_t b) const {
+    if constexpr (merges)
+      return !merged.empty() && any(merged[b].wedge + merged[b].pyramid > 0.0);
+    else
+      return (void)b, false;
+  }
+  /// What these make of the bounds of their vibrations, at the positions of their corners.
+  MergedGradient<T> merged_in(std::size_t b, const NodalField<LaneOf<T>>& positions) const
     requires merges
   {
-    return merged.empty() ? nullptr : &merged[b];
+    return {merged[b], gather<T, n>(positions, blocks[b].nodes)};
+  }
+  /// Their critical rate, from that by the masses of corners, which is 0 of those that have failed.
+  [[gnu::noinline]] T merged_rate(std::size_t b, const NodalField<LaneOf<T>>& positions, const T& rate, const T& V,
+                                  const VibrationSources<T>& sources) const
+    requires merges
+  {
+    const T own = element.merged_rate(blocks[b].state, material, merged_in(b, positions), V, sources);
+    return select(rate > 0.0, own, rate);
   }
   /// Shares of the corners of a cell in its mass over that of n equal ones.
   static std::array<double, n> corner_shares(const std::array<Index, n>& cell) {

@@ -42,9 +42,6 @@ std::size_t choose_in_block(Part& part, EstimatedPart<E, T>& estimated, std::siz
   if constexpr (turns_nodes<E>())
     resistance = part.element().resistance(state, part.material(), x,
                                            gather<T, n>(motion.velocity, motion.angular_velocity, corners), dt);
-  else if constexpr (merges_corners<E>())
-    resistance = part.element().resistance(state, part.material(), x, gather<T, n>(motion.velocity, corners), dt,
-                                           part.merged_in(b));
   else
     resistance = part.element().resistance(state, part.material(), x, gather<T, n>(motion.velocity, corners), dt);
   std::size_t count = 0;

@@ -162,12 +162,6 @@ class RunningPart {
   std::size_t count(std::size_t b) const { return elements_.count(b); }
   /// Shares of the corners of a cell in its mass over that of n equal ones.
   static std::array<double, n> corner_shares(const std::array<Index, n>& cell) { return Elements::corner_shares(cell); }
-  /// Of block b of an element that merges corners those in the same node; null: none.
-  const MergedCorners<T>* merged_in(std::size_t b) const
-    requires Elements::merges
-  {
-    return elements_.merged_in(b);
-  }
   /// The outcome of the last step for each patch.
   const std::vector<detail::Outcome>& outcomes() const { return outcomes_; }
   /// The cells by the numbers of elements and nodes as given; wedges and pyramids as wedge_cell and pyramid_cell have
@@ -251,9 +245,11 @@ class RunningPart {
       if constexpr (sees_neighbours)
         return element().begin(block.state, material(), x, is_born ? T(0.0) : elements_.in_lanes(b, cells.volumes));
       else if constexpr (Elements::merges && scales_mass)
-        return (void)cells, element().begin(block.state, material(), x, elements_.merged_in(b));
-      else
-        return (void)cells, element().begin(block.state, material(), x);
+        if (elements_.merges_in(b)) {
+          const MergedGradient<T> merged = elements_.merged_in(b, nodes.motion().position);
+          return element().begin(block.state, material(), x, merged);
+        }
+      if constexpr (!sees_neighbours) return (void)cells, element().begin(block.state, material(), x);
     }();
     const T mass = mass_of(given);
     T own = mass;

@@ -99,9 +99,9 @@ struct PointVisitor {
 /// 10. `flows`: true where it gives way to a constant load for ever, of which a relaxation warns.
 /// 11. `ranges(number)`: what its numbers may be (strike/range.hpp); its policies may have it too.
 /// 12. `shape`: a static constexpr CellShape; a run refuses cells at its start that break the laws of check(mesh).
-/// 13. `merges_corners`: true where hexahedra may be wedges and pyramids; then advance and resistance take behind dt a
-///     pointer to the MergedCorners of their lanes, or none (strike/element/merged_corners.hpp). begin returns the mass
-///     of each of eight corners all the same.
+/// 13. `merges_corners`: true where hexahedra may be wedges and pyramids; then also advance with a pointer to its
+///     VibrationSources behind dt, and `merged_rate` (strike/element/hex8.hpp). begin returns the mass of each of eight
+///     corners all the same.
 /// Laws (tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
 /// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
 /// and creates no energy; in a step without time, dt = 0, no work is done. Models: Hex8, Hex8Full, Tet4, Plate4,

@@ -82,11 +82,17 @@ struct Hex8 {
     return (0.125 * density_of(material)) * V;
   }
 
-  /// `Velocities` are nodal, or convert to them, so that they are loaded where they are needed and not before. `merged`
-  /// are corners in the same node, if there are any, whose mass is not that of a corner.
+  /// `Velocities` are nodal, or convert to them, so that they are loaded where they are needed and not before.
+  template <class M, class T, class Velocities>
+  Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v,
+                         double dt) const {
+    VibrationSources<T> sources;
+    return advance(state, material, x, v, dt, &sources);
+  }
+  /// The same, and what bounds its vibrations, for merged_rate.
   template <class M, class T, class Velocities>
   Response<T, 8> advance(State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Velocities& v, double dt,
-                         const MergedCorners<std::type_identity_t<T>>* merged = nullptr) const {
+                         VibrationSources<std::type_identity_t<T>>* sources) const {
     constexpr bool physical = std::same_as<Control<M>, PhysicalHourglass>;
     const Control<M>& control = control_with<M>();
     // The order of the statements overlaps long chains of dependent operations (roots, quotients) with others, and
@@ -106,9 +112,7 @@ struct Hex8 {
     const Matrix3<T> L_mid = instant(L, dt);
     T hourglass_overlap = T(0.0);
     if constexpr (controlled) hourglass_overlap = overlap(S, S_b, shrinkage, m, g, per_volume);
-    const T of_corners = shrinkage * trace(S), largest_of_corners = shrinkage * eigenvalue;  // B:B/V^2 and L1
-    Stability<T> stability{of_corners, largest_of_corners, specific_volume};
-    if (merged) hourglass_overlap = merge(*merged, m, g, per_volume, stability);
+    const Stability<T> stability{shrinkage * trace(S), shrinkage * eigenvalue, specific_volume};
 
     const Vector3<T> spin = T(dt) * axial_vector(L_mid);
     const auto to_end = instant.to_end(spin);
@@ -131,7 +135,7 @@ struct Hex8 {
     const T per_mass = (1.0 / density_of(material)) * state.inverse_volume;
     const T control_shear = solid_shear(state.material, before.shear);
     const HourglassElement<T> element{rho,           V,     edge,          per_mass,        before.wave(),
-                                      control_shear, T(dt), shrinkage * S, of_corners, largest_of_corners};
+                                      control_shear, T(dt), shrinkage * S, stability.trace, stability.eigenvalue};
     // (m_k(n+1) - m_k(n))/dt - L m_k, L at the end, is a rate at the start of the step.
     if constexpr (controlled && !physical) {
       HourglassModes<T> rates = hourglass_rates(m, u, L);
@@ -168,7 +172,7 @@ struct Hex8 {
     const Moduli<T> after = material.moduli(state.material, rate);
     const T zeta = bulk_viscosity.coefficient(after.wave(), stability.crossing_time(after.wave()), theta);
     const Vibration<T> vibration = stability.vibration(material, after, zeta);
-    if (merged) hourglass_rate = merged->hourglass_factor() * hourglass_rate;
+    *sources = {after, zeta, hourglass_rate};
     if constexpr (controlled)
       response.critical_rate = critical_rate(vibration, hourglass_rate, hourglass_overlap);
     else
@@ -183,13 +187,27 @@ struct Hex8 {
     return response;
   }
 
+  /// The critical rate where corners are merged, so that the mass of a node is not that of its corners, of an element
+  /// at the volume V whose last step told its sources.
+  template <class M, class T>
+  T merged_rate(const State<M, T>& state, const M& material, const MergedGradient<T>& merged, const T& V,
+                const VibrationSources<T>& sources) const {
+    const Stability<T> stability{merged.trace, merged.eigenvalue,
+                                 (1.0 / density_of(material)) * (V * state.inverse_volume)};
+    const Vibration<T> vibration = stability.vibration(material, sources.moduli, sources.zeta);
+    if constexpr (controlled)
+      return critical_rate(vibration, T(merged.hourglass_factor * sources.hourglass_rate), merged.overlap);
+    else
+      return vibration.critical_rate();
+  }
+
   template <class T>
   using Resistance = Hex8Resistance<T, Hourglass>;
 
   /// Resistance to a small motion in a step dt from here; v are the velocities of the nodes.
   template <class M, class T>
   Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
-                           double dt, const MergedCorners<std::type_identity_t<T>>* merged = nullptr) const {
+                           double dt) const {
     const Hex8Modes<T> m = to_modes<T>(x);
     const Hex8Gradient<T> g(m);
     const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
@@ -198,9 +216,7 @@ struct Hex8 {
     const SolidKinematics::Rate<T> rate{symmetric_part(L), J};
     const Moduli<T> moduli = material.moduli(state.material, rate);
     const SymmetricTensor<T> S = T(1.0 / 512.0) * per_volume * per_volume * (g.squared_a() + g.squared_b());
-    const T of_corners = trace(S), largest_of_corners = largest_eigenvalue(S);
-    Stability<T> stability{of_corners, largest_of_corners, (1.0 / density_of(material)) * J};
-    if (merged) merge(*merged, m, g, per_volume, stability);
+    const Stability<T> stability{trace(S), largest_eigenvalue(S), (1.0 / density_of(material)) * J};
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()),
                                               trace(rate.rate_of_deformation));
     Resistance<T> resistance =
@@ -215,8 +231,8 @@ struct Hex8 {
                                         .shear_modulus = solid_shear(state.material, moduli.shear),
                                         .dt = T(dt),
                                         .gradient = S,
-                                        .gradient_squared = of_corners,
-                                        .gradient_eigenvalue = largest_of_corners};
+                                        .gradient_squared = stability.trace,
+                                        .gradient_eigenvalue = stability.eigenvalue};
       T rate_alone;
       if constexpr (std::same_as<Hourglass, PhysicalHourglass>) {
         const HourglassModes<T> rates = hourglass_rates(m, u, L);
@@ -244,15 +260,6 @@ struct Hex8 {
     const T mg = dot(m.b1, g.b1) + dot(m.b2, g.b2) + dot(m.b3, g.b3);
     return max(T(0.0),
                0.125 * shrinkage * double_dot(S, mm) - T(1.0 / 32.0) * per_volume * mg + double_dot(inverse(S), S_b));
-  }
-
-  /// Gives the stability the masses of nodes at several corners, and returns the overlap with them.
-  template <class T>
-  [[gnu::noinline]] static T merge(const MergedCorners<T>& merged, const Hex8Modes<T>& m, const Hex8Gradient<T>& g,
-                                   const T& per_volume, Stability<T>& stability) {
-    const MergedGradient<T> gradient(merged, m, g, per_volume);
-    stability.trace = trace(gradient.S), stability.eigenvalue = largest_eigenvalue(gradient.S);
-    return gradient.overlap;
   }
 
   static constexpr bool controlled = !std::same_as<Hourglass, NoHourglass>;

@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/element/element.hpp>
+#include <strike/element/merged_corners.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
 
@@ -32,13 +33,21 @@ struct MassScaled : E {
     }
   };
 
-  /// `merged`: the corners in the same node, of elements that may have some.
+  /// `merged` tells of corners in the same node, of elements that may have some.
   template <class M, class T, class... Merged>
-  auto begin(State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x, const Merged*... merged) const {
+  auto begin(State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x, const Merged&... merged) const {
     auto given = E::begin(state, material, x);
     typename E::template State<M, T> trial = state;
     const Nodal<T, motions<E>> v = Nodal<T, motions<E>>::Constant(T(0.0));
-    const T shortfall = step * E::advance(trial, material, x, v, 0.0, merged...).critical_rate;
+    const T shortfall = step * [&]() -> T {
+      if constexpr (sizeof...(Merged) > 0) {
+        VibrationSources<T> sources;
+        const T V = E::advance(trial, material, x, v, 0.0, &sources).volume;
+        return E::merged_rate(trial, material, merged..., V, sources);
+      } else {
+        return E::advance(trial, material, x, v, 0.0).critical_rate;
+      }
+    }();
     state.mass_factor = max(T(1.0), shortfall * shortfall);
     if constexpr (turns_nodes<E>())
       given.mass *= state.mass_factor, given.inertia *= state.mass_factor;
@@ -55,11 +64,17 @@ struct MassScaled : E {
     return response;
   }
 
-  template <class M, class T, class... Merged>
+  template <class M, class T>
+  T merged_rate(const State<M, T>& state, const M& material, const MergedGradient<T>& merged, const T& V,
+                const VibrationSources<T>& sources) const {
+    return rsqrt(state.mass_factor) * E::merged_rate(state, material, merged, V, sources);
+  }
+
+  template <class M, class T>
   auto resistance(const State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x,
-                  const Nodal<T, motions<E>>& v, double dt, const Merged*... merged) const
-      -> decltype(std::declval<const E&>().resistance(state, material, x, v, dt, merged...)) {
-    auto resistance = E::resistance(state, material, x, v, dt, merged...);
+                  const Nodal<T, motions<E>>& v, double dt) const
+      -> decltype(std::declval<const E&>().resistance(state, material, x, v, dt)) {
+    auto resistance = E::resistance(state, material, x, v, dt);
     resistance.mass *= state.mass_factor;
     if constexpr (turns_nodes<E>()) resistance.inertia *= state.mass_factor;
     return resistance;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <strike/element/hex8_modes.hpp>
+#include <strike/element/stable_step.hpp>
 #include <strike/scalar/scalar.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -49,27 +50,39 @@ struct MergedCorners {
   }
 };
 
-/// What the masses of the nodes make of the sources of an element's vibrations.
+/// Of an element after a step: moduli, the coefficient of its bulk viscosity [stress time], and the critical rate of
+/// its hourglass control alone [1/time].
+template <class T>
+struct VibrationSources {
+  Moduli<T> moduli;
+  T zeta, hourglass_rate;
+};
+
+/// What the masses of the nodes make of the bounds of an element's vibrations.
 template <class T>
 struct MergedGradient {
-  SymmetricTensor<T> S;  ///< B M^-1 B^T rho/(8 V)
-  T overlap;             ///< |P gamma|^2/8 over the hourglass factor, P the projection onto B M^(-1/2)
+  T trace, eigenvalue;  ///< of S = B M^-1 B^T rho/(8 V) [1/length^2], in place of Stability's
+  T overlap;            ///< |P gamma|^2/8 over the hourglass factor, P the projection onto B M^(-1/2)
+  T hourglass_factor;
 
-  MergedGradient(const MergedCorners<T>& merged, const Hex8Modes<T>& m, const Hex8Gradient<T>& g, const T& per_volume) {
+  MergedGradient(const MergedCorners<T>& merged, const Nodal<T, 8>& x) : hourglass_factor(merged.hourglass_factor()) {
+    const Hex8Modes<T> m = to_modes<T>(x);
+    const Hex8Gradient<T> g(m);
     const Vector3<T> none = Vector3<T>::Zero(), modes[4]{m.b1, m.b2, m.b3, m.d};
-    const T w = T(1.0 / 64.0) * per_volume;
+    const T w = T(1.0 / 64.0) / g.volume;
     const Nodal<T, 8> b = strike::to_nodes<T>({w * g.a1, w * g.a2, w * g.a3, w * g.b1, w * g.b2, w * g.b3, none});
     Eigen::Matrix<T, 4, 8> gamma;  // Lambda_k - b.m_k
     for (int i = 0; i < 8; ++i) {
       const int xi = (i ^ i >> 1) & 1 ? 1 : -1, eta = i & 2 ? 1 : -1, zeta = i & 4 ? 1 : -1;
       const double Lambda[4]{double(eta * zeta), double(zeta * xi), double(xi * eta), double(xi * eta * zeta)};
-      for (int k = 0; k < 4; ++k)
-        gamma(k, i) = T(Lambda[k]) - dot(modes[k], column(b, static_cast<std::size_t>(i)));
+      for (int k = 0; k < 4; ++k) gamma(k, i) = T(Lambda[k]) - dot(modes[k], column(b, static_cast<std::size_t>(i)));
     }
     const Nodal<T, 8> b_n = merged.to_nodes(b);
     const Eigen::Matrix<T, 4, 8> gamma_n = merged.to_nodes(gamma);
-    S = {};
+    SymmetricTensor<T> S{};
     for (std::size_t i = 0; i < 8; ++i) S += outer_square(column(b_n, i));
+    trace = strike::trace(S), eigenvalue = largest_eigenvalue(S);
+
     const SymmetricTensor<T> inverse_S = inverse(S);
     overlap = T(0.0);
     for (int k = 0; k < 4; ++k) {

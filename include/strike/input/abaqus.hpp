@@ -214,10 +214,9 @@ class AbaqusReader {
   void elements(const Parameters& parameters) {
     const std::string type = upper(required(parameters, "TYPE", "*ELEMENT"));
     RawMesh::Element element{0, {}, 0, 0, Shape::hexahedron};
-    if (begins_with_one_of(
-            type, {"C3D10", "C3D15", "C3D2", "S8", "S9", "STRI65", "SC6", "SC8", "CPS6", "CPS8"}))
-      source_.refuse(
-          {"elements of type ", shown(type), " are not read: mesh in first order with C3D8, C3D6, C3D5, C3D4, S4 or S3."});
+    if (begins_with_one_of(type, {"C3D10", "C3D15", "C3D2", "S8", "S9", "STRI65", "SC6", "SC8", "CPS6", "CPS8"}))
+      source_.refuse({"elements of type ", shown(type),
+                      " are not read: mesh in first order with C3D8, C3D6, C3D5, C3D4, S4 or S3."});
     if (begins_with_one_of(type, {"C3D8"}))
       element.shape = Shape::hexahedron;
     else if (begins_with_one_of(type, {"C3D6"}))

@@ -207,7 +207,8 @@ class GmshReader {
         {{15, 0, 1}, {1, 1, 2}, {2, 2, 3}, {3, 2, 4}, {4, 3, 4}, {5, 3, 8}, {6, 3, 6}, {7, 3, 5}}};
     const auto* const kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.type == type; });
     if (kind == kinds.end())
-      source_.refuse({"element ", std::to_string(number), " is of type ", std::to_string(type), ", which is not read: mesh in order 1 with hexahedra, tetrahedra, quadrilaterals or triangles."});
+      source_.refuse({"element ", std::to_string(number), " is of type ", std::to_string(type),
+                      ", which is not read: mesh in order 1 with hexahedra, tetrahedra, quadrilaterals or triangles."});
     RawMesh::Element element{number, {}, 0, source_.line(), Shape::hexahedron};
     for (std::size_t i = 0; i < kind->corners; ++i) element.corners[i] = tag("a corner");
     Group& group = group_of(kind->dimension, entity, physical);

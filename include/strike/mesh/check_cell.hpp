@@ -91,10 +91,13 @@ struct CellLaws;
 
 template <>
 struct CellLaws<CellShape::hexahedron> {
-  static constexpr const char *name = "hexahedron", *fault = "flat or inside out",
-                              *order = "order its corners 0-3 around the bottom and 4-7 above them, right-handed.",
-                              *corners = "give it 8 different corners, or make it a wedge a b c c d e f f or a pyramid a b c d e e e "
-                         "e.";
+  static constexpr const char
+      *name = "hexahedron",
+      *fault = "flat or inside out",
+      *order = "order its corners 0-3 around the bottom and 4-7 above them, right-handed.",
+      *corners =
+          "give it 8 different corners, or make it a wedge a b c c d e f f or a pyramid a b c d e e e "
+          "e.";
 
   /// A wedge and a pyramid may be numbered from any of their corners.
   static bool names_right(const std::array<Index, 8>& cell) {

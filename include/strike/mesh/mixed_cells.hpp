@@ -21,9 +21,9 @@ struct SortedCells {
 };
 
 /// The mesh of a list of cells of all kinds, told apart by the nodes that they name, counted from 0: eight are a
-/// hexahedron (a wedge or pyramid repeats corners), four a quadrilateral, and five of which the last repeats the first a tetrahedron (the input of X3D). A
-/// quadrilateral that names two neighbouring corners alike is a triangle. Cells of a kind keep their order. Errors: any
-/// other list of nodes; a node that is not there.
+/// hexahedron (a wedge or pyramid repeats corners), four a quadrilateral, and five of which the last repeats the first
+/// a tetrahedron (the input of X3D). A quadrilateral that names two neighbouring corners alike is a triangle. Cells of
+/// a kind keep their order. Errors: any other list of nodes; a node that is not there.
 inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<const std::vector<Index>> cells) {
   SortedCells sorted{{.nodes = std::move(nodes)}, {}};
   Mesh& mesh = sorted.mesh;

@@ -220,10 +220,11 @@ class VtuCells {
 }  // namespace detail
 
 /// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the
-/// cells of the mesh (hexahedra, of which degenerate ones are wedges and pyramids, tetrahedra, quadrilaterals, then particles), fields by node and by cell in the same
-/// order. Fields of 3 components are vectors, of 6 symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file
-/// appears whole or not at all. Errors: numbers of rows that do not fit; a cell with a node that is not there; a field
-/// without a name, or two of the same; a file that cannot be written.
+/// cells of the mesh (hexahedra, of which degenerate ones are wedges and pyramids, tetrahedra, quadrilaterals, then
+/// particles), fields by node and by cell in the same order. Fields of 3 components are vectors, of 6 symmetric tensors
+/// xx yy zz xy yz zx, of 9 tensors by rows. The file appears whole or not at all. Errors: numbers of rows that do not
+/// fit; a cell with a node that is not there; a field without a name, or two of the same; a file that cannot be
+/// written.
 [[gnu::cold]] inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
                                     const std::vector<Field>& node_fields = {},
                                     const std::vector<Field>& cell_fields = {}) {
