@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -113,35 +114,43 @@ struct Elements {
     else
       return (void)b, false;
   }
-  /// What these make of the bounds of their vibrations, at the positions of their corners.
-  MergedGradient<T> merged_in(std::size_t b, const NodalField<LaneOf<T>>& positions) const
+  /// What these make of the bounds of their vibrations, at the positions of their corners; nothing: there are none.
+  std::optional<MergedGradient<T>> merged_in(std::size_t b, const NodalField<LaneOf<T>>& positions) const
     requires merges
   {
-    return {merged[b], gather<T, n>(positions, blocks[b].nodes)};
+    if (!merges_in(b)) return std::nullopt;
+    return MergedGradient<T>(merged[b], gather<T, n>(positions, blocks[b].nodes));
+  }
+  /// Sets the elements of block b at rest, as E::begin does.
+  auto begin(std::size_t b, const Nodal<T, E::nodes>& x, [[maybe_unused]] const NodalField<LaneOf<T>>& positions) {
+    if constexpr (requires { blocks[b].state.mass_factor; } && merges)
+      return element.begin(blocks[b].state, material, x, merged_in(b, positions));
+    else
+      return element.begin(blocks[b].state, material, x);
   }
   /// Their critical rate, from that by the masses of corners, which is 0 of those that have failed.
   [[gnu::noinline]] T merged_rate(std::size_t b, const NodalField<LaneOf<T>>& positions, const T& rate, const T& V,
                                   const VibrationSources<T>& sources) const
     requires merges
   {
-    const T own = element.merged_rate(blocks[b].state, material, merged_in(b, positions), V, sources);
+    const T own = element.merged_rate(blocks[b].state, material, *merged_in(b, positions), V, sources);
     return select(rate > 0.0, own, rate);
   }
-  /// Shares of the corners of a cell in its mass over that of n equal ones.
-  static std::array<double, n> corner_shares(const std::array<Index, n>& cell) {
-    if constexpr (merges) return detail::corner_shares(cell);
-    std::array<double, n> equal;
-    equal.fill(1);
-    return equal;
-  }
-  /// Takes note of the kind of a cell.
-  void merge(std::size_t place, HexahedronKind kind)
-    requires merges
-  {
-    if (kind == HexahedronKind::brick || kind == HexahedronKind::other) return;
-    merged.resize(blocks.size());
-    MergedCorners<T>& in_block = merged[place / width];
-    set_lane(kind == HexahedronKind::wedge ? in_block.wedge : in_block.pyramid, place % width, RealOf<T>(1));
+  /// The cell of the element at a place, of `cells` by their numbers; if it merges corners as canonical_hexahedron has
+  /// it.
+  template <class Cells>
+  std::array<Index, n> take(const Cells& cells, std::size_t place) {
+    std::array<Index, n> cell = cells[order[place]];
+    if constexpr (merges) {
+      const DegenerateHexahedron degenerate(cell);
+      if (degenerate.kind != HexahedronKind::wedge && degenerate.kind != HexahedronKind::pyramid) return cell;
+      merged.resize(blocks.size());
+      MergedCorners<T>& in_block = merged[place / width];
+      T& lanes_of_kind = degenerate.kind == HexahedronKind::wedge ? in_block.wedge : in_block.pyramid;
+      set_lane(lanes_of_kind, place % width, RealOf<T>(1));
+      cell = in_order(cell, degenerate.order);
+    }
+    return cell;
   }
 
   /// The lanes of block b that hold elements: the first ones.

@@ -10,6 +10,7 @@
 #include <strike/dynamics/lanczos.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/element/element.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/gather.hpp>
 
@@ -50,7 +51,7 @@ std::size_t choose_in_block(Part& part, EstimatedPart<E, T>& estimated, std::siz
       ++count;
       std::array<Index, n> cell;
       for (std::size_t i = 0; i < n; ++i) cell[i] = place(corners[i][l]);
-      const std::array<double, n> shares = Part::corner_shares(cell);
+      const std::array<double, n> shares = corner_shares(cell, merges_corners<E>());
       for (std::size_t i = 0; i < n; ++i) {
         masses[0][cell[i]] += static_cast<RealOf<T>>(shares[i]) * lane(resistance.mass, l);
         if constexpr (turns_nodes<E>()) masses[1][cell[i]] += lane(resistance.inertia, l);

@@ -18,7 +18,6 @@
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/dynamics/plate_proportions.hpp>
-#include <strike/mesh/degenerate.hpp>
 #include <strike/motion/gather.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/nodes.hpp>
@@ -160,12 +159,9 @@ class RunningPart {
   std::vector<Block>& blocks() { return elements_.blocks; }
   const detail::Patches& patches() const { return patches_; }
   std::size_t count(std::size_t b) const { return elements_.count(b); }
-  /// Shares of the corners of a cell in its mass over that of n equal ones.
-  static std::array<double, n> corner_shares(const std::array<Index, n>& cell) { return Elements::corner_shares(cell); }
   /// The outcome of the last step for each patch.
   const std::vector<detail::Outcome>& outcomes() const { return outcomes_; }
-  /// The cells by the numbers of elements and nodes as given; wedges and pyramids as wedge_cell and pyramid_cell have
-  /// them.
+  /// The cells by the numbers of elements and nodes as given; wedges and pyramids by canonical_hexahedron.
   Cells<n> cells(const Nodes& nodes) const {
     Cells<n> cells(size());
     for (std::size_t p = 0; p < size(); ++p) cells[elements_.order[p]] = elements_.cell(nodes, p);
@@ -214,20 +210,12 @@ class RunningPart {
     auto& blocks = elements_.blocks;
     blocks.resize((size() + width - 1) / width);
     std::vector<Index> corners;
-    corners.reserve(blocks.size() * n * width);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       std::array<std::array<Index, n>, width> in_lanes;
-      for (std::size_t l = 0; l < width; ++l) {  // idle lanes repeat the last element
-        const std::size_t place = std::min(b * width + l, size() - 1);
-        in_lanes[l] = cells[elements_.order[place]];
-        if constexpr (Elements::merges) {
-          const detail::DegenerateHexahedron degenerate(in_lanes[l]);
-          in_lanes[l] = detail::in_order(in_lanes[l], degenerate.order);
-          elements_.merge(place, degenerate.kind);
-        }
-      }
+      for (std::size_t l = 0; l < width; ++l)  // idle lanes repeat the last element
+        in_lanes[l] = elements_.take(cells, std::min(b * width + l, size() - 1));
       for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t l = 0; l < width; ++l) corners.push_back(nodes.place(in_lanes[l][i]));
+        for (const auto& cell : in_lanes) corners.push_back(nodes.place(cell[i]));
     }
     const auto unnamed = std::find(nodes.mass().begin(), nodes.mass().end(), 0) - nodes.mass().begin();
     patches_ = detail::Patches(corners, blocks.size(), width, static_cast<Index>(unnamed), nodes.places());
@@ -244,12 +232,8 @@ class RunningPart {
     const auto given = [&] {
       if constexpr (sees_neighbours)
         return element().begin(block.state, material(), x, is_born ? T(0.0) : elements_.in_lanes(b, cells.volumes));
-      else if constexpr (Elements::merges && scales_mass)
-        if (elements_.merges_in(b)) {
-          const MergedGradient<T> merged = elements_.merged_in(b, nodes.motion().position);
-          return element().begin(block.state, material(), x, merged);
-        }
-      if constexpr (!sees_neighbours) return (void)cells, element().begin(block.state, material(), x);
+      else
+        return (void)cells, elements_.begin(b, x, nodes.motion().position);
     }();
     const T mass = mass_of(given);
     T own = mass;
@@ -266,7 +250,7 @@ class RunningPart {
       proportions_.add(elements_.order[place], nodes, cell, material());
       if constexpr (!is_born) detail::check_mass(elements_, nodes, place, static_cast<double>(lane(mass, l)));
       detail::check_direction(elements_, nodes, place, block.state, l);
-      const std::array<double, n> shares = elements_.corner_shares(cell);
+      const std::array<double, n> shares = detail::corner_shares(cell, Elements::merges);
       for (std::size_t i = 0; i < n; ++i) {
         nodes.add_mass(cell[i], shares[i] * static_cast<double>(lane(mass, l)));
         if constexpr (turns_nodes<E>()) nodes.add_inertia(cell[i], static_cast<double>(lane(given.inertia, l)));

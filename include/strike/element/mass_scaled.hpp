@@ -33,20 +33,20 @@ struct MassScaled : E {
     }
   };
 
-  /// `merged` tells of corners in the same node, of elements that may have some.
+  /// `merged`: the MergedGradient of lanes with corners in the same node, or nothing, of elements that may have some.
   template <class M, class T, class... Merged>
   auto begin(State<M, T>& state, const M& material, const Nodal<T, E::nodes>& x, const Merged&... merged) const {
     auto given = E::begin(state, material, x);
     typename E::template State<M, T> trial = state;
     const Nodal<T, motions<E>> v = Nodal<T, motions<E>>::Constant(T(0.0));
     const T shortfall = step * [&]() -> T {
-      if constexpr (sizeof...(Merged) > 0) {
-        VibrationSources<T> sources;
-        const T V = E::advance(trial, material, x, v, 0.0, &sources).volume;
-        return E::merged_rate(trial, material, merged..., V, sources);
-      } else {
-        return E::advance(trial, material, x, v, 0.0).critical_rate;
-      }
+      if constexpr (sizeof...(Merged) > 0)
+        if ((merged.has_value() && ...)) {
+          VibrationSources<T> sources;
+          const T V = E::advance(trial, material, x, v, 0.0, &sources).volume;
+          return E::merged_rate(trial, material, *merged..., V, sources);
+        }
+      return E::advance(trial, material, x, v, 0.0).critical_rate;
     }();
     state.mass_factor = max(T(1.0), shortfall * shortfall);
     if constexpr (turns_nodes<E>())

@@ -87,14 +87,15 @@ constexpr std::array<Value, 8> in_order(const std::array<Value, 8>& values, cons
 }
 
 /// Shares of the corners of a cell in its mass over that of N equal ones, so that a node has the sum over its corners.
-/// Of a hexahedron they are 1; of a wedge and a pyramid those of MergedCorners (strike/element/merged_corners.hpp).
+/// Of a hexahedron, and for an element that does not merge corners, they are 1; of a wedge and a pyramid those of
+/// MergedCorners (strike/element/merged_corners.hpp).
 template <std::size_t N>
-constexpr std::array<double, N> corner_shares(const std::array<Index, N>& cell) {
+constexpr std::array<double, N> corner_shares(const std::array<Index, N>& cell, bool merges = true) {
   std::array<double, N> shares;
   shares.fill(1);
   if constexpr (N == 8) {
     const std::size_t different = count_different(cell);
-    if (different != 6 && different != 5) return shares;
+    if (!merges || (different != 6 && different != 5)) return shares;
     for (std::size_t i = 0; i < 8; ++i) {
       const auto alike = static_cast<double>(std::count(cell.begin(), cell.end(), cell[i]));
       shares[i] = different == 6 ? 8.0 / (6 * alike) : alike > 1 ? 0.5 : 1.5;
