@@ -86,7 +86,7 @@ class FirstTouch {
   static constexpr double in_line = 0.9;  // cosine of normals, from which on a face goes on from another
 
   /// The distance of a node from a sphere around the corners of a face.
-  [[gnu::flatten]] static double distance_of_sphere(const Corners& X, const Eigen::Vector3d& x) {
+  [[gnu::__flatten__]] static double distance_of_sphere(const Corners& X, const Eigen::Vector3d& x) {
     const Eigen::Vector3d middle = 0.25 * (X[0] + X[1] + X[2] + X[3]);
     double radius2 = 0;
     for (const Eigen::Vector3d& corner : X) radius2 = std::max(radius2, (corner - middle).squaredNorm());
@@ -97,7 +97,7 @@ class FirstTouch {
     Eigen::Vector3d area;  // normal, twice the area long
     double area2, radius2, height, above, beside;
 
-    [[gnu::flatten]] Disc(const Corners& X, const Eigen::Vector3d& x, bool is_triangle) {
+    [[gnu::__flatten__]] Disc(const Corners& X, const Eigen::Vector3d& x, bool is_triangle) {
       const Eigen::Vector3d diagonals[] = {X[2] - X[0], X[3] - X[1]}, from = x - 0.25 * (X[0] + X[1] + X[2] + X[3]);
       const double warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
       area = cross<double>(diagonals[0], diagonals[1]), area2 = area.squaredNorm();
@@ -114,7 +114,7 @@ class FirstTouch {
   };
 
   /// The farthest way of the node relative to a corner of the face, in the step to come or in the last one [length].
-  [[gnu::flatten]] double way_to(Index f) const {
+  [[gnu::__flatten__]] double way_to(Index f) const {
     const Eigen::Vector3d last = all_.x[i_] - all_.x_before[i_];
     double most2 = 0;
     for (const Index k : faces_.target.faces()[f]) {

@@ -143,8 +143,8 @@ void erode(Elements<E, M, T, Removal>& elements, std::size_t b, const typename E
 /// Advances the elements of a patch that are due and subtracts their forces from those of its nodes. `volume` is the
 /// relative volume at the nodes, for elements that average it.
 template <class E, class M, class T, class Removal, class Motion, class Volume, class Schedule>
-[[gnu::flatten]] Outcome advance(Elements<E, M, T, Removal>& elements, const Patch& patch, Motion& motion,
-                                 const Volume& volume, const Schedule& schedule) {
+[[gnu::__flatten__]] Outcome advance(Elements<E, M, T, Removal>& elements, const Patch& patch, Motion& motion,
+                                     const Volume& volume, const Schedule& schedule) {
   using All = Elements<E, M, T, Removal>;
   constexpr std::size_t n = All::n;
   constexpr bool erodes = All::erodes, state_is_small = sizeof(typename All::State) < 32 * sizeof(T);

@@ -108,7 +108,7 @@ class Cloud {
 
   /// Advances the particles of a patch.
   template <class All>
-  [[gnu::flatten]] Outcome advance(All& elements, const Patch& patch, double dt) {
+  [[gnu::__flatten__]] Outcome advance(All& elements, const Patch& patch, double dt) {
     Outcome outcome;
     LanesOfOutcome<T> sum;
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
@@ -173,7 +173,7 @@ class Cloud {
 
   /// Subtracts the forces of the particles of a patch from those of its nodes and adds their hourglass work.
   template <class All, class Motion>
-  [[gnu::flatten]] void add_forces(All& elements, const Patch& patch, Motion& motion, double dt, Outcome& outcome) {
+  [[gnu::__flatten__]] void add_forces(All& elements, const Patch& patch, Motion& motion, double dt, Outcome& outcome) {
     T hourglass_work = T(0.0);
     for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
       auto& block = elements.blocks[b];

@@ -71,8 +71,8 @@ void for_each_chosen(const Part& part, const Patch& patch, const F& f) {
 
 /// Adds the volumes of chosen elements, and what the motion q changes of them, at their nodes.
 template <class Part, class E, class T, class Nodes, class Vector>
-[[gnu::flatten]] void add_chosen_volumes(const Part& part, EstimatedPart<E, T>& estimated, const Patch& patch,
-                                         Nodes& nodes, const std::vector<Vector>& q) {
+[[gnu::__flatten__]] void add_chosen_volumes(const Part& part, EstimatedPart<E, T>& estimated, const Patch& patch,
+                                             Nodes& nodes, const std::vector<Vector>& q) {
   constexpr std::size_t n = Part::n;
   for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
     const auto& corners = part.blocks()[b].nodes;
@@ -85,8 +85,8 @@ template <class Part, class E, class T, class Nodes, class Vector>
 
 /// product -= A q of the chosen elements of a patch.
 template <class Part, class E, class T, class Nodes, class Fields>
-[[gnu::flatten]] void subtract_chosen(const Part& part, const EstimatedPart<E, T>& estimated, const Patch& patch,
-                                      Nodes& nodes, const Fields& q, Fields& product) {
+[[gnu::__flatten__]] void subtract_chosen(const Part& part, const EstimatedPart<E, T>& estimated, const Patch& patch,
+                                          Nodes& nodes, const Fields& q, Fields& product) {
   constexpr std::size_t n = Part::n;
   for_each_chosen(part, patch, [&](std::size_t b, const auto& is_chosen) {
     const auto& corners = part.blocks()[b].nodes;
