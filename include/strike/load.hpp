@@ -5,4 +5,5 @@
 #include <strike/load/nodal_force.hpp>
 #include <strike/load/prescribed_motion.hpp>
 #include <strike/load/pressure.hpp>
+#include <strike/load/rigid_body.hpp>
 #include <strike/load/support.hpp>

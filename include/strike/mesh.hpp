@@ -7,6 +7,7 @@
 #include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/disc.hpp>
 #include <strike/mesh/grading.hpp>
+#include <strike/mesh/inertia.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/mixed_cells.hpp>

@@ -132,7 +132,7 @@ struct Placement {
 };
 
 /// Any rigid body with a formula, in its place.
-template <RigidBody Body>
+template <RigidObstacle Body>
 struct Placed {
   Body body;
   Placement at;
@@ -142,7 +142,7 @@ struct Placed {
     return {at.length(gap), at.direction(normal)};
   }
 };
-template <RigidBody Body>
+template <RigidObstacle Body>
 Placed<Body> placed(const Body& body, const Placement& at) {
   return {body, at};
 }

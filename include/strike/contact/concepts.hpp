@@ -183,7 +183,7 @@ concept Friction = std::copyable<F> && requires(const F friction) {
 ///
 /// Models: RigidPlane, RigidSphere, RigidCylinder.
 template <class B>
-concept RigidBody = std::copyable<B> && requires(const B body, const Eigen::Vector3d x) {
+concept RigidObstacle = std::copyable<B> && requires(const B body, const Eigen::Vector3d x) {
   { body.clearance(x) } -> std::same_as<Clearance>;
 };
 

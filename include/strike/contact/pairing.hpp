@@ -287,7 +287,7 @@ struct Everything {
 };
 
 /// The pairing of nodes with a rigid body: a RigidPlane, RigidSphere, RigidCylinder, RigidSurface or your own
-/// RigidBody. Errors of a RigidSurface: no faces; a face names a point that is not there.
+/// RigidObstacle. Errors of a RigidSurface: no faces; a face names a point that is not there.
 template <class Body>
 struct NodeToRigid {
   std::vector<Index> nodes;
@@ -302,7 +302,7 @@ struct NodeToRigid {
   std::vector<Index> numbers() const { return detail::ascending(nodes); }
   const std::vector<Index>& first() const { return nodes; }
   auto start(const ContactNodes& all) const
-    requires RigidBody<Body>
+    requires RigidObstacle<Body>
   {
     return detail::RigidApproach<Body>{detail::to_local(numbers(), all), body, 0.5 * thickness};
   }

@@ -28,7 +28,7 @@ template <class Body>
 struct BodyOf<NodeToRigid<Body>> : std::type_identity<Body> {};
 
 template <class P>
-concept RefusesBody = HasName<ClearanceOf, typename BodyOf<P>::type> && !RigidBody<typename BodyOf<P>::type>;
+concept RefusesBody = HasName<ClearanceOf, typename BodyOf<P>::type> && !RigidObstacle<typename BodyOf<P>::type>;
 template <class P>
 using MeetingOf = decltype(std::declval<const P&>().start(std::declval<const ContactNodes&>()));
 

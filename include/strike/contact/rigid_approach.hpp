@@ -14,7 +14,7 @@
 namespace strike::detail {
 
 /// Nodes that may touch a rigid body given by a formula, and the pairs of each step; they need no search.
-template <RigidBody Body>
+template <RigidObstacle Body>
 class RigidApproach {
  public:
   /// `depth` is half the thickness of the nodes' plate, 0 of solids [length].

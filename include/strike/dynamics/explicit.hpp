@@ -67,6 +67,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     kick();
     constrain();
     resolve_contact();
+    move_bodies();
     close_balance();
     drift();
     compute_forces();
@@ -154,10 +155,16 @@ class Explicit : public detail::RunningScene<Method, Items...> {
         damping_(method.damping),
         cycle_(method.cycle),
         kinetic_(detail::chunks(this->nodes_.size())) {
+    this->each([&](auto& item) {
+      if constexpr (requires { item.add_body(this->nodes_); }) item.add_body(this->nodes_);
+    });
     detail::check_masses(this->nodes_);
     detail::complete_inertia(this->nodes_);
     moved_by_rounding_ = detail::moved_by_rounding(this->nodes_);
     this->begin_items();
+    this->each([&](auto& item) {
+      if constexpr (requires { item.start_body(this->nodes_); }) item.start_body(this->nodes_);
+    });
     ledger_.kinetic = detail::kinetic_energy(this->nodes_);
     ledger_.internal.book(this->stored_energy());
     ledger_.initial = ledger_.kinetic + ledger_.internal.settled();
@@ -211,6 +218,13 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     });
   }
 
+  void move_bodies() {
+    this->each([&](auto& item) {
+      if constexpr (requires { item.move_body(this->nodes_, step_, ledger_); })
+        item.move_body(this->nodes_, step_, ledger_);
+    });
+  }
+
   /// Closes the balance at the time n and starts the next.
   void close_balance() {
     if (step_.number == 1) {
@@ -250,6 +264,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
 
   void compute_forces() {
     const StableStep before = std::exchange(stable_, {});
+    this->nodes_.clear_bare_forces();
     this->each([&](auto& part) {
       if constexpr (is_running_part<decltype(part)>) {
         this->take_debris(part, step_.dt, ledger_);
@@ -271,6 +286,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
         stable_.dt = detail::item::StableStep::call(item, stable_.dt, std::as_const(this->nodes_));
     });
     if (!cycle_.is_complete()) stable_ = before;
+    detail::move_with_bodies(this->nodes_);
   }
 
   void apply_loads() {

@@ -21,6 +21,10 @@ inline constexpr bool is_part = false;
 template <class E, class M, std::size_t n, class R>
 inline constexpr bool is_part<Part<E, M, n, R>> = true;
 
+/// The item gives nodes masses: a part or a rigid body.
+template <class Item>
+inline constexpr bool has_mass = is_part<Item> || requires { requires Item::is_rigid_body; };
+
 template <class Item>
 inline constexpr bool turns_nodes_of = false;
 template <class E, class M, std::size_t n, class R>
@@ -50,11 +54,11 @@ struct Scene {
   static_assert((std::is_class_v<Items> && ...),
                 "strike: one of the items in this Scene is a number or a pointer: a Scene takes its nodes, then parts, "
                 "loads, supports and contacts.");
-  static_assert((detail::is_part<Items> || ...), "strike: a Scene needs at least one Part.");
+  static_assert((detail::has_mass<Items> || ...), "strike: a Scene needs at least one Part or RigidBody.");
   /// Some of its elements turn their nodes.
   static constexpr bool nodes_turn = (detail::turns_nodes_of<Items> || ...);
   /// No static_assert has reported any of its items.
-  static constexpr bool sound = (detail::is_sound<Items>() && ...) && (detail::is_part<Items> || ...);
+  static constexpr bool sound = (detail::is_sound<Items>() && ...) && (detail::has_mass<Items> || ...);
 
   std::vector<Eigen::Vector3d> nodes;
   std::tuple<Items...> items;

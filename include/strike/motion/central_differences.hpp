@@ -7,6 +7,7 @@
 
 #include <strike/motion/execution.hpp>
 #include <strike/motion/motion.hpp>
+#include <strike/motion/rigid_motion.hpp>
 #include <strike/scalar/scalar.hpp>
 
 namespace strike::detail {
@@ -38,7 +39,8 @@ double kick(N& nodes, double duration, const Execution& execution, std::vector<d
   return 0.5 * std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// x += dt v.
+/// x += dt v; the nodes of rigid bodies, which have moved already, go to their places, and have
+/// the velocities that brought them there.
 template <class N, class Execution>
 void drift(N& nodes, double step, const Execution& execution) {
   using Real = std::decay_t<decltype(nodes.position()[0])>;
@@ -46,13 +48,33 @@ void drift(N& nodes, double step, const Execution& execution) {
   for_each_chunk(execution, nodes.size(), [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) nodes.position()[i] += Real(dt) * nodes.velocity()[i];
   });
+  using Number = typename N::Number;
+  for (const RigidMotion& body : nodes.bodies())
+    for (std::size_t k = 0; k < body.nodes().size(); ++k) {
+      nodes.set_position(body.nodes()[k], body.place(k).template cast<Number>());
+      nodes.set_velocity(body.nodes()[k], body.way_per_time(k).template cast<Number>());
+      if constexpr (N::nodes_turn) nodes.set_angular_velocity(body.nodes()[k], body.mean_angular_velocity());
+    }
+}
+
+/// Gives the nodes of rigid bodies the velocities of the bodies where they are.
+template <class N>
+void move_with_bodies(N& nodes) {
+  using Number = typename N::Number;
+  for (const RigidMotion& body : nodes.bodies())
+    for (const Index i : body.nodes()) {
+      nodes.set_velocity(i, body.velocity_at(nodes.x(i).template cast<double>()).template cast<Number>());
+      if constexpr (N::nodes_turn) nodes.set_angular_velocity(i, body.angular_velocity());
+    }
 }
 
 /// The kinetic energy of the velocities between two times, sum of m v.v/2.
 template <class N>
 double kinetic_energy(const N& nodes) {
   double energy = 0;
+  for (const RigidMotion& body : nodes.bodies()) energy += body.kinetic_energy();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes.is_rigid(i)) continue;
     energy += 0.5 * nodes.mass(i) * nodes.v(i).template cast<double>().squaredNorm();
     if constexpr (N::nodes_turn) energy += 0.5 * nodes.inertia(i) * nodes.w(i).template cast<double>().squaredNorm();
   }
@@ -73,7 +95,9 @@ double force_power(const N& nodes) {
 template <class N>
 Eigen::Vector3d momentum(const N& nodes) {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < nodes.size(); ++i) p += nodes.mass(i) * nodes.v(i).template cast<double>();
+  for (const RigidMotion& body : nodes.bodies()) p += body.momentum();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!nodes.is_rigid(i)) p += nodes.mass(i) * nodes.v(i).template cast<double>();
   return p;
 }
 
@@ -84,6 +108,7 @@ void stop(N& nodes) {
     nodes.velocity()[i] = 0;
     if constexpr (N::nodes_turn) nodes.angular_velocity()[i] = 0;
   }
+  for (RigidMotion& body : nodes.bodies()) body.stop();
 }
 
 }  // namespace strike::detail

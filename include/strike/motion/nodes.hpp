@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -15,6 +16,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/motion.hpp>
+#include <strike/motion/rigid_motion.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -68,16 +70,49 @@ class Nodes {
   void check_number(std::size_t i) const {
     if (i >= size()) refuse(i);
   }
+
+  /// Nodes move as one body from now on, whose inertia is its own and that of all the nodes; about a point that does
+  /// not move, if there is one. Returns its number. Error: a node belongs to another body.
+  std::size_t add_body(std::vector<Index> numbers, Inertia own, const std::optional<Eigen::Vector3d>& pivot) {
+    body_of_.resize(size(), no_body);
+    std::vector<Eigen::Vector3d> places;
+    for (const Index i : numbers) {
+      check_number(i);
+      if (is_rigid(i))
+        throw Error(detail::joined({"strike: node ", std::to_string(i), " belongs to the rigid bodies ",
+                                    std::to_string(body_of_[i]), " and ", std::to_string(bodies_.size()),
+                                    "; make them one body."}));
+      body_of_[i] = static_cast<Index>(bodies_.size());
+      if (!(mass(i) > 0)) bare_.push_back(place_[i]);
+      places.push_back(x(i).template cast<double>());
+      own.add(mass(i), places.back());
+      if constexpr (turn) own.moment += SymmetricTensor<double>::isotropic(inertia(i));
+    }
+    bodies_.emplace_back(std::move(numbers), places, own, pivot);
+    return bodies_.size() - 1;
+  }
+  std::vector<RigidMotion>& bodies() { return bodies_; }
+  const std::vector<RigidMotion>& bodies() const { return bodies_; }
+  /// Node i belongs to a rigid body, that of this number.
+  bool is_rigid(std::size_t i) const { return i < body_of_.size() && body_of_[i] != no_body; }
+  std::size_t body_of(std::size_t i) const { return body_of_[i]; }
+  /// Clears the forces on nodes of bodies to which no element adds.
+  void clear_bare_forces() {
+    for (const Index place : bare_) {
+      own_.force[place] = 0;
+      if constexpr (turn) own_.moment[place] = 0;
+    }
+  }
   /// Takes a direction, a unit vector, from the motion of node i. Returns its part that was still free: a unit vector
   /// at right angles to all directions taken before, or zero. The motions that are left do not depend on the order.
-  /// Errors: no such node; one of two directions that are not at right angles is prescribed.
+  /// Errors: no such node; one of two directions that are not at right angles is prescribed; a node of a rigid body.
   Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& direction, Held how = Held::still) {
-    check_number(i);
+    check_number(i), check_not_rigid(i);
     return held_.hold(i, x(i).template cast<double>(), direction, how);
   }
   /// Takes an axis, a unit vector, from the rotation of node i; see hold.
   Eigen::Vector3d hold_turn(std::size_t i, const Eigen::Vector3d& axis, Held how = Held::still) {
-    check_number(i);
+    check_number(i), check_not_rigid(i);
     return held_turns_.hold(i, x(i).template cast<double>(), axis, how);
   }
   /// The part of a vector along which node i is free to move.
@@ -144,6 +179,7 @@ class Nodes {
     archive.same(place_, mass_, inertia_);
     archive(own_.position, own_.velocity, own_.force);
     if constexpr (turn) archive(own_.angular_velocity, own_.moment);
+    for (RigidMotion& body : bodies_) archive(body);
   }
 
  private:
@@ -152,6 +188,13 @@ class Nodes {
   [[noreturn, gnu::cold, gnu::noinline]] void refuse(std::size_t i) const {
     throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
                                 std::to_string(size()), " nodes; count them from 0."}));
+  }
+  void check_not_rigid(std::size_t i) const {
+    if (is_rigid(i))
+      throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), " of the rigid body ",
+                                  std::to_string(body_of_[i]),
+                                  "; hold and move a body by what is given to its RigidBody, such as "
+                                  "HeldBody{{unit(Axis::x)}}."}));
   }
   Index checked_place(std::size_t i) const {
     check_number(i);
@@ -164,6 +207,10 @@ class Nodes {
   std::vector<Plain> mass_, inertia_;
   std::vector<Index> number_, place_;
   detail::HeldDirections held_, held_turns_;
+  static constexpr Index no_body = std::numeric_limits<Index>::max();
+  std::vector<Index> body_of_;  // node by node, if there are bodies
+  std::vector<RigidMotion> bodies_;
+  std::vector<Index> bare_;  // places of nodes of bodies that no element has
 };
 
 }  // namespace strike

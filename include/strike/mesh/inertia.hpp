@@ -1,0 +1,130 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/error.hpp>
+#include <strike/mesh/measure.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/tensor/tensor.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+/// Mass, centre of mass, and moment of inertia about it [mass length^2] of a body.
+struct Inertia {
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  SymmetricTensor<double> moment = {};
+
+  /// Adds a point mass, or what another body has.
+  void add(double m, const Eigen::Vector3d& x) { add({m, x}); }
+  void add(const Inertia& other) {
+    const double all = mass + other.mass;
+    if (!(all > 0)) return;
+    const Eigen::Vector3d apart = other.centre - centre;
+    moment += other.moment + (mass * other.mass / all) * about(apart);
+    centre += other.mass / all * apart;
+    mass = all;
+  }
+  /// Moment of inertia of a unit mass at r, about the origin: r.r I - r (x) r.
+  static SymmetricTensor<double> about(const Eigen::Vector3d& r) {
+    return SymmetricTensor<double>::isotropic(r.squaredNorm()) - outer_square<double>(r);
+  }
+};
+
+/// Inertia of the cells of a mesh, of this density and, of plates, thickness: exact for trilinear hexahedra, tetrahedra
+/// and bilinear plates (Gauss points). Adds the masses of the nodes, shares of their cells with the same sum and the
+/// same centre, to `nodal`. Errors: no cells; plates without a thickness; a density that is not positive.
+inline Inertia inertia(const Mesh& mesh, double density, double thickness, std::vector<double>& nodal);
+inline Inertia inertia(const Mesh& mesh, double density, double thickness = 0) {
+  std::vector<double> nodal(mesh.nodes.size(), 0.0);
+  return inertia(mesh, density, thickness, nodal);
+}
+
+namespace detail {
+
+/// Points and weights of Gauss on [-1, 1], exact to the fifth power.
+struct ThreePoints {
+  static inline const std::array<double, 3> at{-std::sqrt(0.6), 0, std::sqrt(0.6)}, weight{5.0 / 9, 8.0 / 9, 5.0 / 9};
+};
+
+/// Adds a piece of mass m at x, shared by the corners of its cell.
+template <std::size_t n>
+void add_piece(Inertia& sum, std::vector<double>& nodal, const std::array<Index, n>& cell, double m,
+               const Eigen::Vector3d& x, const std::array<double, n>& shares) {
+  sum.add(m, x);
+  for (std::size_t k = 0; k < n; ++k) nodal[cell[k]] += m * shares[k];
+}
+
+}  // namespace detail
+
+inline Inertia inertia(const Mesh& mesh, double density, double thickness, std::vector<double>& nodal) {
+  using namespace detail;
+  const auto refuse = [](const char* what, double value, const char* remedy) {
+    throw Error(joined({"strike: ", what, " of a rigid body is ", text(value), "; give it ", remedy, "."}));
+  };
+  if (!(density > 0 && density < 1e300)) refuse("the density", density, "one above 0");
+  if (!mesh.quadrilaterals.empty() && !(thickness > 0 && thickness < 1e300))
+    refuse("the thickness of the plates", thickness, "one above 0");
+  Inertia sum;
+  const auto X = [&](Index i) -> const Eigen::Vector3d& { return mesh.nodes[i]; };
+  constexpr std::array<std::array<double, 3>, 8> corner{
+      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+  const auto& [at, weight] = std::pair(ThreePoints::at, ThreePoints::weight);
+  for (const auto& cell : mesh.hexahedra)
+    for (std::size_t p = 0; p < 27; ++p) {
+      const std::array<std::size_t, 3> point{p % 3, p / 3 % 3, p / 9};
+      std::array<double, 8> N{};
+      Eigen::Vector3d x = Eigen::Vector3d::Zero();
+      std::array<Eigen::Vector3d, 3> along;
+      along.fill(x);
+      for (std::size_t k = 0; k < 8; ++k) {
+        std::array<double, 3> f{};
+        for (std::size_t c = 0; c < 3; ++c) f[c] = 0.5 * (1 + corner[k][c] * at[point[c]]);
+        N[k] = f[0] * f[1] * f[2];
+        x += N[k] * X(cell[k]);
+        for (std::size_t c = 0; c < 3; ++c)
+          along[c] += (0.5 * corner[k][c] * f[(c + 1) % 3] * f[(c + 2) % 3]) * X(cell[k]);
+      }
+      const double volume = cross(along[0], along[1]).dot(along[2]);
+      add_piece(sum, nodal, cell, density * volume * weight[point[0]] * weight[point[1]] * weight[point[2]], x, N);
+    }
+  // Four points of degree two (Hammer, Marlowe and Stroud 1956).
+  const double a = (5 + 3 * std::sqrt(5.0)) / 20, b = (5 - std::sqrt(5.0)) / 20;
+  for (const auto& cell : mesh.tetrahedra) {
+    const double volume = tetrahedron_volume(mesh.nodes, cell);
+    for (std::size_t p = 0; p < 4; ++p) {
+      std::array<double, 4> N{b, b, b, b};
+      N[p] = a;
+      Eigen::Vector3d x = Eigen::Vector3d::Zero();
+      for (std::size_t k = 0; k < 4; ++k) x += N[k] * X(cell[k]);
+      add_piece(sum, nodal, cell, 0.25 * density * volume, x, N);
+    }
+  }
+  for (const auto& cell : mesh.quadrilaterals)
+    for (std::size_t p = 0; p < 9; ++p) {
+      const double r = at[p % 3], s = at[p / 3];
+      std::array<double, 4> N{};
+      Eigen::Vector3d x = Eigen::Vector3d::Zero(), along_r = x, along_s = x;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double fr = 0.5 * (1 + corner[k][0] * r), fs = 0.5 * (1 + corner[k][1] * s);
+        N[k] = fr * fs;
+        x += N[k] * X(cell[k]);
+        along_r += 0.5 * corner[k][0] * fs * X(cell[k]), along_s += 0.5 * corner[k][1] * fr * X(cell[k]);
+      }
+      const Eigen::Vector3d area = cross(along_r, along_s);
+      const double m = density * thickness * area.norm() * weight[p % 3] * weight[p / 3];
+      add_piece(sum, nodal, cell, m, x, N);
+      if (m > 0)  // a line of the length t along the normal has t^2/12 about axes across it
+        sum.moment += (m * thickness * thickness / 12) * Inertia::about(area.normalized());
+    }
+  if (!(sum.mass > 0)) throw Error("strike: a rigid body has no hexahedra, tetrahedra or plates; give it cells.");
+  return sum;
+}
+
+}  // namespace strike

@@ -1,0 +1,232 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/mesh/inertia.hpp>
+#include <strike/mesh/mesh.hpp>
+#include <strike/tensor/rotation.hpp>
+#include <strike/tensor/tensor.hpp>
+
+namespace strike {
+
+/// The motion of nodes that are fixed to each other: their place and orientation at the time n, their velocity and
+/// their angular momentum about the centre of mass half a step later. What is free keeps its angular momentum to the
+/// last bit and its energy to rounding, however far it turns in a step.
+class RigidMotion {
+ public:
+  RigidMotion() = default;
+  /// Nodes at these places; one without extent about an axis does not turn about it. What turns about a point, which
+  /// does not move, has its moments about that.
+  RigidMotion(std::vector<Index> nodes, std::span<const Eigen::Vector3d> places, const Inertia& inertia,
+              const std::optional<Eigen::Vector3d>& pivot = {})
+      : nodes_(std::move(nodes)), mass_(inertia.mass), centre_(pivot.value_or(inertia.centre)) {
+    for (const Eigen::Vector3d& x : places) places_.push_back(x - centre_);
+    to_mass_ = inertia.centre - centre_;
+    inertia_ = not_singular(inertia.moment + mass_ * Inertia::about(to_mass_), mass_);
+    inverse_ = inverse(inertia_);
+  }
+
+  const std::vector<Index>& nodes() const { return nodes_; }
+  double mass() const { return mass_; }
+  /// Its centre of mass, or the point about which it turns.
+  const Eigen::Vector3d& centre() const { return centre_; }
+  const Eigen::Vector3d& velocity() const { return velocity_; }
+  Eigen::Vector3d momentum() const {
+    return mass_ * (velocity_ + cross(angular_velocity(), times<double>(rotation_, to_mass_)));
+  }
+  Eigen::Vector3d angular_velocity() const { return turned(inverse_, angular_momentum_); }
+  /// About the centre.
+  const Eigen::Vector3d& angular_momentum() const { return angular_momentum_; }
+  /// The rotation since the start.
+  const Eigen::Matrix3d& rotation() const { return rotation_; }
+  double kinetic_energy() const {
+    return 0.5 * (mass_ * velocity_.squaredNorm() + angular_momentum_.dot(angular_velocity()));
+  }
+  /// The velocity of the point at x.
+  Eigen::Vector3d velocity_at(const Eigen::Vector3d& x) const {
+    return velocity_ + cross(angular_velocity(), Eigen::Vector3d(x - centre_));
+  }
+  /// The change of the velocity of the point at r from the centre along a unit vector, by a unit impulse at the same
+  /// point along it [1/mass].
+  double response(const Eigen::Vector3d& r, const Eigen::Vector3d& along) const {
+    const Eigen::Vector3d moment = cross(r, along);
+    return 1 / mass_ + moment.dot(turned(inverse_, moment));
+  }
+  /// The angular velocity by an angular momentum.
+  Eigen::Vector3d turned_by(const Eigen::Vector3d& angular_momentum) const {
+    return turned(inverse_, angular_momentum);
+  }
+
+  void set(const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
+    velocity_ = velocity, angular_momentum_ = turned(inertia_, angular_velocity);
+  }
+  /// Directions along which it moves as told, and axes about which it turns so: unit vectors, each at right angles to
+  /// those before it.
+  void guide(std::vector<Eigen::Vector3d> directions, std::vector<Eigen::Vector3d> axes) {
+    directions_ = std::move(directions), axes_ = std::move(axes);
+  }
+  const std::vector<Eigen::Vector3d>& directions() const { return directions_; }
+  const std::vector<Eigen::Vector3d>& axes() const { return axes_; }
+  /// An impulse through the centre of mass, and one of moment.
+  void push(const Eigen::Vector3d& impulse, const Eigen::Vector3d& of_moment) {
+    velocity_ += impulse / mass_, angular_momentum_ += of_moment;
+  }
+  /// The impulses along the directions, and of moment about the axes, that give it these velocities along them.
+  std::array<double, 3> impulses_along(std::span<const double> velocities) const {
+    std::array<double, 3> impulses{};
+    for (std::size_t i = 0; i < directions_.size(); ++i)
+      impulses[i] = mass_ * (velocities[i] - directions_[i].dot(velocity_));
+    return impulses;
+  }
+  std::array<double, 3> moments_about(std::span<const double> rates) const {
+    std::array<std::array<double, 4>, 3> rows{};  // Gauss, of a matrix that is positive definite
+    const std::size_t n = axes_.size();
+    const Eigen::Vector3d w = angular_velocity();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) rows[i][j] = axes_[i].dot(turned(inverse_, axes_[j]));
+      rows[i][3] = rates[i] - axes_[i].dot(w);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (j != i) {
+          const double factor = rows[j][i] / rows[i][i];
+          for (std::size_t k = i; k < 4; ++k) rows[j][k] -= factor * rows[i][k];
+        }
+    std::array<double, 3> moments{};
+    for (std::size_t i = 0; i < n; ++i) moments[i] = rows[i][3] / rows[i][i];
+    return moments;
+  }
+
+  /// Moves over the step dt with its velocities; where axes hold the rotation at these rates, the moments about them
+  /// that this takes change its angular momentum, and their work is returned.
+  double move(double dt, std::span<const double> rates = {}) {
+    centre_before_ = centre_, rotation_before_ = rotation_, spin_before_ = angular_velocity(), dt_ = dt;
+    centre_ += dt * velocity_;
+    return axes_.empty() ? (turn_freely(dt), 0.0) : turn_about(rates, dt);
+  }
+  /// The place of its node k, and the velocity that has brought it there in the last step.
+  Eigen::Vector3d place(std::size_t k) const { return centre_ + times<double>(rotation_, places_[k]); }
+  Eigen::Vector3d way_per_time(std::size_t k) const {
+    const Eigen::Matrix3d change = rotation_ - rotation_before_;
+    return (centre_ - centre_before_) / dt_ + times<double>(change, places_[k]) / dt_;
+  }
+  Eigen::Vector3d mean_angular_velocity() const { return 0.5 * (spin_before_ + angular_velocity()); }
+  void stop() { velocity_.setZero(), angular_momentum_.setZero(); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.same(nodes_);
+    archive(centre_, velocity_, angular_momentum_, rotation_);
+  }
+
+ private:
+  /// A x, with A given in the axes of the body.
+  Eigen::Vector3d turned(const SymmetricTensor<double>& A, const Eigen::Vector3d& x) const {
+    return times<double>(rotation_, A * in_body(x));
+  }
+  Eigen::Vector3d in_body(const Eigen::Vector3d& x) const {
+    return {column(rotation_, 0).dot(x), column(rotation_, 1).dot(x), column(rotation_, 2).dot(x)};
+  }
+
+  /// Of a line of nodes, or of one: what does not turn about an axis may have any inertia about it.
+  static SymmetricTensor<double> not_singular(SymmetricTensor<double> A, double mass) {
+    const double size = trace(A);
+    if (!(size > 0)) return SymmetricTensor<double>::isotropic(mass);
+    if (determinant(A) > 1e-12 * size * size * size) return A;
+    const Eigen::Vector3d x(A.xx, A.xy, A.zx), y(A.xy, A.yy, A.yz), z(A.zx, A.yz, A.zz);
+    Eigen::Vector3d line = cross(x, y);
+    for (const Eigen::Vector3d& other : {cross(y, z), cross(z, x)})
+      if (other.squaredNorm() > line.squaredNorm()) line = other;
+    return A + size * outer_square<double>(line.normalized());
+  }
+
+  /// Euler's equations by steps of the implicit midpoint (Austin, Krishnaprasad and Wang 1993, J. Comput. Phys. 107,
+  /// 105), which keep energy and angular momentum, composed to the sixth order (Yoshida 1990, Phys. Lett. A 150, 262,
+  /// solution A).
+  void turn_freely(double dt) {
+    constexpr double w1 = -1.17767998417887, w2 = 0.235573213359357, w3 = 0.784513610477560,
+                     w0 = 1 - 2 * (w1 + w2 + w3);
+    if (!(angular_momentum_.squaredNorm() > 0)) return;
+    for (const double part : {w3, w2, w1, w0, w1, w2, w3}) {
+      const double h = part * dt;
+      const Eigen::Vector3d begin = in_body(angular_momentum_);
+      Eigen::Vector3d middle = begin, spin = inverse_ * middle;
+      for (int iteration = 0; iteration < 60; ++iteration) {
+        const Eigen::Vector3d before = middle;
+        middle = begin + (0.5 * h) * cross(middle, spin);
+        spin = inverse_ * middle;
+        if (!((middle - before).squaredNorm() > 1e-33 * begin.squaredNorm())) break;
+      }
+      const auto turn = HughesWinget{}.turn<double>(h * spin);  // Cayley's map
+      rotation_ = product(rotation_, turn.Q);
+    }
+    make_orthogonal();
+  }
+
+  /// The midpoint of angular velocities that the axes hold at the start and the end.
+  double turn_about(std::span<const double> rates, double dt) {
+    const Eigen::Matrix3d R = rotation_;
+    const Eigen::Vector3d L = angular_momentum_, start = angular_velocity();
+    Eigen::Vector3d end = start;
+    double work = 0;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      const Eigen::Vector3d before = end;
+      rotation_ = product(rotated_by(0.5 * dt * (start + end)), R);
+      angular_momentum_ = L;
+      const std::array<double, 3> moments = moments_about(rates);
+      work = 0;
+      for (std::size_t i = 0; i < axes_.size(); ++i)
+        angular_momentum_ += moments[i] * axes_[i], work += moments[i] * rates[i];
+      end = angular_velocity();
+      if (!((end - before).squaredNorm() > 1e-32 * start.squaredNorm())) break;
+    }
+    make_orthogonal();
+    return work;
+  }
+  /// exp of the cross product with w (Rodrigues).
+  static Eigen::Matrix3d rotated_by(const Eigen::Vector3d& w) {
+    const double angle = w.norm(), half = 0.5 * angle;
+    const double sine = angle > 1e-8 ? std::sin(half) / half : 1 - half * half / 6;
+    const double a = angle > 1e-8 ? std::sin(angle) / angle : 1 - angle * angle / 6, b = 0.5 * sine * sine;
+    const double x = w(0), y = w(1), z = w(2);
+    return columns<double>({1 - b * (y * y + z * z), b * x * y + a * z, b * z * x - a * y},
+                           {b * x * y - a * z, 1 - b * (z * z + x * x), b * y * z + a * x},
+                           {b * z * x + a * y, b * y * z - a * x, 1 - b * (x * x + y * y)});
+  }
+  static Eigen::Matrix3d product(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B) {
+    return columns<double>(times<double>(A, column(B, 0)), times<double>(A, column(B, 1)),
+                           times<double>(A, column(B, 2)));
+  }
+  /// R (3 I - R^T R)/2, against rounding.
+  void make_orthogonal() {
+    Eigen::Matrix3d correction;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        correction(static_cast<int>(i), static_cast<int>(j)) =
+            (i == j ? 1.5 : 0.0) - 0.5 * column(rotation_, i).dot(column(rotation_, j));
+    rotation_ = product(rotation_, correction);
+  }
+
+  std::vector<Index> nodes_;
+  std::vector<Eigen::Vector3d> places_;                // of the nodes, in the axes of the body, from its centre
+  Eigen::Vector3d to_mass_ = Eigen::Vector3d::Zero();  // from the centre to that of mass, in the axes of the body
+  double mass_ = 0;
+  std::vector<Eigen::Vector3d> directions_, axes_;
+  SymmetricTensor<double> inertia_, inverse_;  // in the axes of the body, those of the scene at the start
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
+                  angular_momentum_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d centre_before_ = Eigen::Vector3d::Zero(), spin_before_ = centre_before_;  // of the last step
+  Eigen::Matrix3d rotation_before_ = Eigen::Matrix3d::Identity();
+  double dt_ = 0;
+};
+
+}  // namespace strike

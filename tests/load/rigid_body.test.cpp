@@ -1,0 +1,195 @@
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <strike/dynamics/explicit.hpp>
+#include <strike/element/hex8.hpp>
+#include <strike/load/body_force.hpp>
+#include <strike/load/initial_velocity.hpp>
+#include <strike/load/rigid_body.hpp>
+#include <strike/load/support.hpp>
+#include <strike/material/elastic.hpp>
+#include <strike/mesh/box.hpp>
+#include <strike/mesh/select.hpp>
+#include <strike/mesh/transform.hpp>
+
+#include "support/catch.hpp"
+
+using namespace strike;
+using Eigen::Vector3d;
+
+namespace {
+
+const Mesh brick = box({.lower = {-0.5, -0.3, -0.1}, .size = {1, 0.6, 0.2}, .cells = {1, 1, 1}});
+const Eigen::Matrix3d tilted = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+
+/// The rotation of a body without moments, I1 < I2 < I3, that begins with no rotation about its middle axis (Landau and
+/// Lifshitz, Mechanics, 37, where L^2 > 2 E I2).
+struct FreeRotation {
+  double I1, I2, I3, w1, w3;
+
+  double energy() const { return 0.5 * (I1 * w1 * w1 + I3 * w3 * w3); }
+  double squared_momentum() const { return I1 * I1 * w1 * w1 + I3 * I3 * w3 * w3; }
+  double rate() const { return std::sqrt((I3 - I2) * (squared_momentum() - 2 * energy() * I1) / (I1 * I2 * I3)); }
+  double modulus() const {
+    return std::sqrt((I2 - I1) * (2 * energy() * I3 - squared_momentum()) /
+                     ((I3 - I2) * (squared_momentum() - 2 * energy() * I1)));
+  }
+  /// Of the rotation about the middle axis, which turns back after half of it.
+  double period() const { return 4 * std::comp_ellint_1(modulus()) / rate(); }
+};
+
+}  // namespace
+
+TEST_CASE("rigid body: a free one of three inertias keeps L to the bit and its energy to 1e-10 over 1e4 turns") {
+  const Inertia own = inertia(brick, 12);
+  RigidMotion body({}, {}, own);
+  body.set({1, 2, 3}, {0.7, -1.1, 0.4});
+  const Vector3d L = body.angular_momentum();
+  const double energy = body.kinetic_energy(), dt = 0.05, turns = body.angular_velocity().norm() * dt / (2 * M_PI);
+  double worst = 0;
+  for (int step = 0; step * turns < 1e4; ++step) {
+    body.move(dt);
+    worst = std::max(worst, std::abs(body.kinetic_energy() / energy - 1));
+  }
+  CHECK(body.angular_momentum() == L);
+  CHECK(worst < 1e-10);
+  CHECK((body.rotation().transpose() * body.rotation() - Eigen::Matrix3d::Identity()).norm() < 1e-14);
+}
+
+TEST_CASE("rigid body: about its middle axis one flips at the period of the elliptic integral, whatever the step") {
+  const Inertia own = inertia(brick, 12);
+  // Nearly about the middle axis: so little of the others that each half period is long.
+  const FreeRotation exact{own.moment.xx, own.moment.yy, own.moment.zz, 0.6, 0.6};
+  REQUIRE(exact.squared_momentum() > 2 * exact.energy() * exact.I2);
+  for (const double dt : {0.05, 0.02}) {
+    RigidMotion body({}, {}, own);
+    body.set({0, 0, 0}, {exact.w1, 0, exact.w3});
+    std::vector<double> flips;
+    double before = 0;
+    for (int step = 1; flips.size() < 20; ++step) {
+      body.move(dt);
+      const double now = body.rotation().col(1).dot(body.angular_velocity());
+      if (before * now < 0) flips.push_back(dt * (step - now / (now - before)));
+      before = now;
+    }
+    // Straight between two steps: an error of (w dt)^3, of one flip and not of their sum.
+    CHECK(flips.back() / 20 == Approx(exact.period() / 2).epsilon(1e-5));
+  }
+}
+
+namespace {
+
+/// A brick that spins freely in a run, without elements.
+template <class Numbers = Method<>, class... Policies>
+auto spun(const Eigen::Matrix3d& Q, const Vector3d& shift, Policies... policies) {
+  const Mesh mesh = transformed(brick, [&](const Vector3d& x) -> Vector3d { return Q * x + shift; });
+  Explicit run{Scene{mesh.nodes, RigidBody{mesh, 12},
+                     InitialVelocity{Q * Vector3d(1, 2, 3), Spin{Q * Vector3d(0.7, -1.1, 0.4), shift}}},
+               ExplicitOptions{.largest_step = 0.01}, policies...};
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("rigid body: a run of one turns with the scene, keeps its shape, and its balance is exact") {
+  auto here = spun(Eigen::Matrix3d::Identity(), Vector3d::Zero());
+  auto there = spun(tilted, Vector3d(10, 20, -5));
+  for (int step = 0; step < 2000; ++step) here.step(), there.step();
+  double apart = 0, bent = 0;
+  const auto x = here.positions(), y = there.positions();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    apart = std::max(apart, (tilted * x[i] + Vector3d(10, 20, -5) - y[i]).norm());
+    bent = std::max(bent, std::abs((x[i] - x[0]).norm() - (brick.nodes[i] - brick.nodes[0]).norm()));
+  }
+  CHECK(apart < 1e-10);  // rounding at a distance of 80, over 2000 steps
+  CHECK(bent < 1e-13);
+  CHECK(std::abs(here.energy().error()) < 1e-12);
+  CHECK((here.momentum() - 12 * 0.12 * Vector3d(1, 2, 3)).norm() < 1e-13);
+  CHECK((here.nodes().bodies()[0].centre() - here.time() * Vector3d(1, 2, 3)).norm() < 1e-11);
+}
+
+TEST_CASE("rigid body: a pendulum that swings wide has the period of the elliptic integral") {
+  const double g = 9.81, density = 12, start = 2.0;  // rad
+  const Inertia own = inertia(brick, density);
+  const Vector3d pivot(-0.4, 0, 0);  // from the centre of mass 0.4
+  const double about = own.moment.zz + own.mass * 0.16;
+  // Gravity along x turned by `start` in the plane of x and y.
+  const Vector3d down(std::cos(start), std::sin(start), 0);
+  Explicit run{Scene{brick.nodes, RigidBody{brick, density, PinnedBody{pivot}}, BodyForce{g * down}},
+               ExplicitOptions{.largest_step = 1e-3}};
+  double before = 0, at_rest = 0;
+  int returns = 0;
+  while (returns < 2) {
+    run.step();
+    const double now = run.nodes().bodies()[0].angular_velocity().z();
+    if (before * now < 0) at_rest = run.time() - run.dt() / 2 - run.dt() * now / (now - before), ++returns;
+    before = now;
+    CHECK((run.nodes().bodies()[0].centre() - pivot).norm() == 0);
+  }
+  const double period = 4 * std::sqrt(about / (own.mass * g * 0.4)) * std::comp_ellint_1(std::sin(start / 2));
+  CHECK(at_rest == Approx(period).epsilon(1e-6));  // second order in w dt = 3e-3
+  CHECK(std::abs(run.energy().error()) < 1e-6);
+}
+
+TEST_CASE("rigid body: what is told how to turn does so to the bit of its history, and its work is external") {
+  const auto angle = [](double t) { return 0.5 * t * t; };
+  Explicit run{
+      Scene{brick.nodes, RigidBody{brick, 12, HeldBody{{}, {unit(Axis::x), unit(Axis::y)}}, BodyAngle{Axis::z, angle},
+                                   BodyDisplacement{Vector3d(1, 1, 0), [](double t) { return t * t; }}}},
+      ExplicitOptions{.largest_step = 1e-3}};
+  run.until(2);
+  const double c = std::cos(2.0), s = std::sin(2.0);
+  double off = 0;
+  const Vector3d shift = 4 * Vector3d(1, 1, 0).normalized();
+  for (std::size_t i = 0; i < brick.nodes.size(); ++i) {
+    const Vector3d X = brick.nodes[i];
+    off = std::max(off,
+                   (run.positions()[i] - shift - Vector3d(c * X.x() - s * X.y(), s * X.x() + c * X.y(), X.z())).norm());
+  }
+  CHECK(off < 1e-11);  // 2000 steps of rounding
+  const Inertia own = inertia(brick, 12);
+  // v = 4, w = 2 at the end
+  CHECK(run.energy().external == Approx(0.5 * own.mass * 16 + 0.5 * own.moment.zz * 4).epsilon(2e-3));
+  CHECK(std::abs(run.energy().error()) < 1e-9);
+  CHECK(run.template item<0>().moment().z() == Approx(own.moment.zz).epsilon(1e-9));
+}
+
+TEST_CASE("rigid body: a mass on the end of a bar slows as exp(-rho c A t/M)") {
+  // No lateral strain: nu = 0, c = sqrt(E/rho).
+  const double E = 1e6, rho = 1000, c = std::sqrt(E / rho), v0 = 0.1, M_over_A = 2000;
+  const Mesh mesh = box({.size = {0.1, 0.1, 10}, .cells = {1, 1, 200}});
+  Cells<8> bar, block;
+  for (const auto& cell : mesh.hexahedra) (mesh.nodes[cell[0]].z() > 9.5 - 1e-9 ? block : bar).push_back(cell);
+  const std::vector<Index> ends = nodes_where(mesh.nodes, [](const Vector3d& x) { return x.z() > 9.5 - 1e-9; });
+  Explicit run{Scene{mesh.nodes, Part{Hex8{}, Elastic{rho, E, 0}, bar},
+                     RigidBody{Mesh{mesh.nodes, block}, M_over_A / 0.5}, InitialVelocity{{0, 0, -v0}, ends}}};
+  const double until = 0.8 * 9.5 / c;  // before the wave is back
+  run.until(until);
+  // The end moves with the velocity of the wave; the mass of half a cell moves with the body.
+  const double rate = rho * c / (M_over_A + 0.5 * 0.05 * rho);
+  CHECK(run.nodes().bodies()[0].velocity().z() == Approx(-v0 * std::exp(-rate * until)).margin(1e-3 * v0));
+  CHECK(std::abs(run.energy().error()) < 5e-4);
+  CHECK((run.momentum() - Vector3d(0, 0, -v0 * (M_over_A + 0.5 * 0.05 * rho) * 0.01)).norm() < 1e-12);
+}
+
+TEST_CASE("rigid body: a block that carries an elastic one moves and turns as the block in stiff elements") {
+  const Mesh mesh = box({.size = {1, 0.4, 0.3}, .cells = {8, 3, 3}});
+  Cells<8> soft, stiff;
+  for (const auto& cell : mesh.hexahedra) (mesh.nodes[cell[0]].x() > 0.5 - 1e-9 ? stiff : soft).push_back(cell);
+  const auto spin = InitialVelocity{{0, 0, 0}, Spin{{3, 2, 5}, {0.4, 0.2, 0.1}}};
+  const Part bar{Hex8{}, Elastic{1000, 1e6, 0.3}, soft};
+  Explicit rigid{Scene{mesh.nodes, bar, RigidBody{Mesh{mesh.nodes, stiff}, 1000}, spin}};
+  Explicit elastic{Scene{mesh.nodes, bar, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, stiff}, spin}};
+  rigid.until(0.1), elastic.until(0.1);
+  double apart = 0, moved = 0;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    apart = std::max(apart, (rigid.positions()[i] - elastic.positions()[i]).norm());
+    moved = std::max(moved, (rigid.positions()[i] - mesh.nodes[i]).norm());
+  }
+  CHECK(apart < 0.02 * moved);  // lumped masses of the stiff block: its inertia is larger by the square of its cells
+  CHECK(std::abs(rigid.energy().error()) < 1e-3);
+}
