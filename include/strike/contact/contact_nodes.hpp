@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/contact/contact_bodies.hpp>
 #include <strike/contact/plates_beside.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/mesh.hpp>
@@ -51,6 +52,11 @@ class ContactNodes {
     kicked = normal_impulse = friction_impulse = v;
     is_touched_.assign(x.size(), 0), held_.assign(x.size(), -1), inverse_mass_.assign(x.size(), 0.0);
     for (std::size_t i = 0; i < number_.size(); ++i) inverse_mass_[i] = 1 / nodes.mass(number_[i]);
+    bodies_.begin(nodes, number_);
+    for (const auto& body : bodies_.all())
+      for (const Index i : body.nodes)
+        inverse_mass_[i] =
+            body.motion->largest_response((nodes.x(number_[i]).template cast<double>() - body.motion->centre()).norm());
     spring_.assign(x.size(), 0.0);
     for (std::size_t p = 0; p < parts.size(); ++p) {
       beside_.add(nodes, p, parts[p], [&](Index number) {
@@ -73,6 +79,7 @@ class ContactNodes {
       }
     });
     if (!beside_.empty()) shift(nodes);
+    bodies_.gather(nodes, v);
     for (const Index i : touched_) is_touched_[i] = 0, normal_impulse[i].setZero(), friction_impulse[i].setZero();
     touched_.clear();
   }
@@ -114,9 +121,11 @@ class ContactNodes {
       Sums sum;
       for (std::size_t k = first; k < last; ++k) {
         const Index i = touched_[k];
-        nodes.set_velocity(number_[i], v[i]);
-        const Eigen::Vector3d v_before =
-            v[i] - inverse_mass_[i] * (normal_impulse[i] + friction_impulse[i]) - kicked[i];
+        Eigen::Vector3d v_before = v[i] - inverse_mass_[i] * (normal_impulse[i] + friction_impulse[i]) - kicked[i];
+        if (is_rigid(i))
+          v_before = bodies_.velocity_at(i) - kicked[i];
+        else
+          nodes.set_velocity(number_[i], v[i]);
         sum.normal_before += normal_impulse[i].dot(v_before), sum.normal_after += normal_impulse[i].dot(v[i]);
         sum.friction_before += friction_impulse[i].dot(v_before), sum.friction_after += friction_impulse[i].dot(v[i]);
       }
@@ -126,6 +135,7 @@ class ContactNodes {
       ledger.contact.book_impulse(-sum.normal_before, -sum.normal_after);
       ledger.friction.book_impulse(-sum.friction_before, -sum.friction_after);
     }
+    bodies_.scatter(nodes, touched_, x, [&](Index i) { return normal_impulse[i] + friction_impulse[i]; });
   }
 
   /// The part of a vector along which node i may move.
@@ -134,9 +144,14 @@ class ContactNodes {
   }
   /// Inverse effective mass along a unit vector: the change of velocity per unit impulse, 1/m of a free node [1/mass].
   double inverse_mass_along(Index i, const Eigen::Vector3d& a) const {
+    if (is_rigid(i)) return bodies_.response(bodies_.of(i), a, cross(Eigen::Vector3d(x[i] - bodies_.centre(i)), a));
     return held_[i] < 0 ? inverse_mass_[i] : inverse_mass_[i] * free(i, a).dot(a);
   }
+  /// Of a node of a rigid body no smaller than along any vector.
   double inverse_mass(Index i) const { return inverse_mass_[i]; }
+  /// It belongs to a rigid body, whose nodes all move by its impulses.
+  bool is_rigid(Index i) const { return bodies_.has(i); }
+  const detail::ContactBodies& bodies() const { return bodies_; }
   /// True if conditions hold it in a direction.
   bool is_held(Index i) const { return held_[i] >= 0; }
   /// True if they hold it in every direction.
@@ -164,7 +179,10 @@ class ContactNodes {
   /// Changes its velocity alone, for laws that try impulses and book the last ones.
   void nudge(Index i, const Eigen::Vector3d& impulse) {
     using namespace detail;
-    if (inverse_mass_[i] > 0) v[i] += inverse_mass_[i] * free(i, impulse);
+    if (is_rigid(i))
+      bodies_.nudge(i, impulse, x, v);
+    else if (inverse_mass_[i] > 0)
+      v[i] += inverse_mass_[i] * free(i, impulse);
   }
   void book_push(Index i, const Eigen::Vector3d& impulse) { book(i, impulse, normal_impulse); }
   void book_drag(Index i, const Eigen::Vector3d& impulse) { book(i, impulse, friction_impulse); }
@@ -240,6 +258,7 @@ class ContactNodes {
   std::vector<Index> number_, place_, touched_;
   std::vector<unsigned char> is_touched_;
   std::vector<double> inverse_mass_, spring_;
+  detail::ContactBodies bodies_;
   double squared_stable_step_ = 0, squared_first_step_ = 0, shortened_ = 1;
   detail::PlatesBeside beside_;
   std::vector<int> held_;  // index into free_, or -1
@@ -295,12 +314,20 @@ struct ContactPair {
   Eigen::Vector3d kicked(const ContactNodes& all) const { return sum(all.kicked); }
   /// 1/m* = sum of w_I^2/m_I along a unit vector [1/mass]; 0 if conditions hold all its nodes.
   double inverse_effective_mass_along(const ContactNodes& all, const Eigen::Vector3d& a) const {
-    double along = 0, free = 0;
+    double along = on_bodies(all, a).response(all.bodies()), free = 0;
     for (unsigned i = 0; i < count; ++i) {
       const double share = weights[i] * weights[i];
-      along += share * all.inverse_mass_along(nodes[i], a), free += share * all.inverse_mass(nodes[i]);
+      free += share * all.inverse_mass(nodes[i]);
+      if (!all.is_rigid(nodes[i])) along += share * all.inverse_mass_along(nodes[i], a);
     }
     return along > 1e-6 * free ? along : 0;
+  }
+  /// A unit impulse along a unit vector, as far as rigid bodies get it.
+  detail::ContactBodies::Impulses on_bodies(const ContactNodes& all, const Eigen::Vector3d& a) const {
+    detail::ContactBodies::Impulses impulses;
+    for (unsigned i = 0; i < count; ++i)
+      if (all.is_rigid(nodes[i])) impulses.add(all.bodies(), nodes[i], all.x[nodes[i]], weights[i] * a);
+    return impulses;
   }
   /// The square of the least stable step of the cells at its nodes [time^2].
   double squared_step(const ContactNodes& all) const {
@@ -344,7 +371,8 @@ void ContactNodes::gather_forces(const N& nodes, std::vector<ContactPair>& pairs
   for_each_chunk(execution, touched_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const Index i = touched_[k];
-      kicked[i] = (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
+      kicked[i] = is_rigid(i) ? bodies_.kicked_at(i, x[i])
+                              : (inverse_mass_[i] * kick) * free(i, N::vector_of(nodes.force()[place_[i]]));
     }
   });
   for_each_chunk(execution, pairs.size(), [&](std::size_t, std::size_t first, std::size_t last) {

@@ -33,6 +33,7 @@ class CoupledPairs {
     for_each_chunk(execution, number_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) velocity_[k] << nodes.v[number_[k]], nodes.inverse_mass(number_[k]);
     });
+    if (!on_bodies_.empty()) given_.assign(pairs.size(), Eigen::Vector3d::Zero());
   }
   /// Gives the velocities to the nodes.
   template <class Execution>
@@ -46,14 +47,22 @@ class CoupledPairs {
   double approach(std::size_t p) const { return rows_[p].normal.dot(sum(p)); }
   Eigen::Vector3d velocity(std::size_t p) const { return sum(p).head<3>(); }
   /// Changes the velocities of its nodes by an impulse on the pair, or by J along its normal [force time].
-  void give(std::size_t p, const Eigen::Vector3d& impulse) { give(rows_[p], {impulse[0], impulse[1], impulse[2], 0}); }
-  void give(std::size_t p, double J) { give(rows_[p], J * rows_[p].normal); }
+  void give(std::size_t p, const Eigen::Vector3d& impulse) {
+    give(p, Eigen::Vector4d(impulse[0], impulse[1], impulse[2], 0));
+  }
+  void give(std::size_t p, double J) { give(p, Eigen::Vector4d(J * rows_[p].normal)); }
 
-  /// Calls f(p) for all pairs, which may write to their nodes.
+  /// Calls f(p) for all pairs, which may write to their nodes, but to those of rigid bodies.
   template <class Execution, class F>
   void each(const Execution& execution, const F& f) {
     for (const auto& colour : colours_)
       side_by_side(execution, colour.size(), [&](std::size_t k) { each_of_block(colour[k], f); });
+    if (!on_bodies_.empty()) move_bodies();
+  }
+  /// Calls f(p) for the pairs that have nodes of rigid bodies, one after the other.
+  template <class F>
+  void each_on_bodies(const F& f) const {
+    for (const std::size_t p : on_bodies_) f(p);
   }
   /// The largest f(p) of all pairs.
   template <class Execution, class F>
@@ -116,7 +125,7 @@ class CoupledPairs {
     Eigen::Vector4d normal;  // and 0
     std::array<double, 5> weights;
     std::array<Index, 5> nodes;  // by their places among those of all pairs
-    bool is_held;
+    bool is_held, is_on_body, yields;
   };
 
   static double size(double J) { return std::abs(J); }
@@ -151,10 +160,22 @@ class CoupledPairs {
       each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
         own += a * a, free += rows_[p].weights[k] * rows_[p].weights[k] * velocity_[rows_[p].nodes[k]][3];
       });
-      of_pair[p] = own > 1e-6 * free ? own : 0;
+      of_pair[p] = own > 1e-6 * free && rows_[p].yields ? own : 0;
       if (of_pair[p] > 0)
-        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) { at_node[rows_[p].nodes[k]] += a / own; });
+        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
+          if (!is_rigid(rows_[p].nodes[k])) at_node[rows_[p].nodes[k]] += a / own;
+        });
     });
+    // Of a rigid body all pairs share each node.
+    std::vector<double> at_body(nodes_.bodies().all().size(), 0.0);
+    each_on_bodies([&](std::size_t p) {
+      if (of_pair[p] > 0)
+        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
+          if (is_rigid(rows_[p].nodes[k])) at_body[nodes_.bodies().of(number_[rows_[p].nodes[k]])] += a / of_pair[p];
+        });
+    });
+    for (std::size_t k = 0; k < number_.size(); ++k)
+      if (is_rigid(static_cast<Index>(k))) at_node[k] = at_body[nodes_.bodies().of(number_[k])];
     side_by_side(execution, blocks(), [&](std::size_t b) {
       each_of_block(b, [&](std::size_t p) {
         double sum = 0;
@@ -172,7 +193,9 @@ class CoupledPairs {
       double inverse_mass = velocity_[row.nodes[k]][3];
       if (row.is_held) {
         const Index node = number_[row.nodes[k]];
-        if (along_normals)
+        if (nodes_.is_rigid(node))
+          ;  // the largest of all directions
+        else if (along_normals)
           inverse_mass = nodes_.inverse_mass_along(node, row.normal.template head<3>());
         else if (nodes_.is_held_fast(node))
           inverse_mass = 0;
@@ -196,7 +219,9 @@ class CoupledPairs {
     return one + other;
   }
   /// The fourth number of the impulse is 0.
-  void give(const Row& row, const Eigen::Vector4d& impulse) {
+  void give(std::size_t p, const Eigen::Vector4d& impulse) {
+    const Row& row = rows_[p];
+    if (row.is_on_body) given_[p] += impulse.head<3>();
     if (row.is_held) return give_held(row, impulse.head<3>());
     for (std::size_t k = 0; k < 5; ++k) {
       Eigen::Vector4d& v = velocity_[row.nodes[k]];
@@ -205,8 +230,34 @@ class CoupledPairs {
   }
   void give_held(const Row& row, const Eigen::Vector3d& impulse) {
     for (std::size_t k = 0; k < 5; ++k) {
+      if (is_rigid(row.nodes[k])) continue;
       Eigen::Vector4d& v = velocity_[row.nodes[k]];
       v.head<3>() += (row.weights[k] * v[3]) * nodes_.free(number_[row.nodes[k]], impulse);
+    }
+  }
+  bool is_rigid(Index k) const { return !on_bodies_.empty() && nodes_.is_rigid(number_[k]); }
+  /// Gives the nodes of rigid bodies the velocities that follow from all impulses, in the order of the pairs.
+  void move_bodies() {
+    const ContactBodies& bodies = nodes_.bodies();
+    std::vector<Eigen::Vector3d> impulse(bodies.all().size(), Eigen::Vector3d::Zero()), of_moment = impulse;
+    for (const std::size_t p : on_bodies_)
+      for (std::size_t k = 0; k < 5; ++k) {
+        const Index i = number_[rows_[p].nodes[k]];
+        if (rows_[p].weights[k] == 0 || !nodes_.is_rigid(i)) continue;
+        const Eigen::Vector3d J = rows_[p].weights[k] * given_[p];
+        impulse[bodies.of(i)] += J;
+        of_moment[bodies.of(i)] += cross(Eigen::Vector3d(nodes_.x[i] - bodies.centre(i)), J);
+      }
+    for (std::size_t b = 0; b < impulse.size(); ++b) {
+      const RigidMotion& motion = *bodies.all()[b].motion;
+      impulse[b] = motion.velocity_by(impulse[b]), of_moment[b] = motion.spin_by(of_moment[b]);
+    }
+    for (std::size_t k = 0; k < number_.size(); ++k) {
+      const Index i = number_[k];
+      if (!nodes_.is_rigid(i)) continue;
+      const std::size_t b = bodies.of(i);
+      velocity_[k].head<3>() =
+          nodes_.v[i] + impulse[b] + cross(of_moment[b], Eigen::Vector3d(nodes_.x[i] - bodies.centre(i)));
     }
   }
 
@@ -223,13 +274,15 @@ class CoupledPairs {
         const ContactPair& pair = pairs[p];
         Row& row = rows_[p];
         row.normal << pair.normal, 0;
-        row.weights = pair.weights, row.is_held = false;
+        row.weights = pair.weights, row.is_held = row.is_on_body = false, row.yields = true;
         for (unsigned k = 0; k < pair.count; ++k) {
           Index& at = place[pair.nodes[k]];
           if (at == none) at = static_cast<Index>(number_.size()), number_.push_back(pair.nodes[k]), taken.push_back(0);
           row.nodes[k] = at, around |= taken[at];
-          row.is_held = row.is_held || nodes_.is_held(pair.nodes[k]);
+          row.is_on_body = row.is_on_body || nodes_.is_rigid(pair.nodes[k]);
+          row.is_held = row.is_held || row.is_on_body || nodes_.is_held(pair.nodes[k]);
         }
+        if (row.is_on_body) on_bodies_.push_back(p), row.yields = pair.inverse_effective_mass > 0;
         std::fill(row.nodes.begin() + pair.count, row.nodes.end(), row.nodes[0]);
         std::fill(row.weights.begin() + pair.count, row.weights.end(), 0.0);
       }
@@ -249,6 +302,8 @@ class CoupledPairs {
   std::vector<Row> rows_;
   std::vector<Index> number_;              // of the nodes of the pairs, each once
   std::vector<Eigen::Vector4d> velocity_;  // of each of them, and 1/m
+  std::vector<std::size_t> on_bodies_;     // pairs that have nodes of rigid bodies
+  std::vector<Eigen::Vector3d> given_;     // impulses that the pairs have got, if there are such
   std::vector<std::vector<std::size_t>> colours_;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include <strike/contact/concepts.hpp>
@@ -20,6 +21,7 @@ namespace strike {
 /// 1/sqrt(w^2 (w^2 - W^2)), and the bound state above the spectrum has w^2 (w^2 - W^2) = kappa^2.
 inline double stable_step_with_contact(double dt, double kappa) {
   if (!(kappa > 0)) return dt;
+  if (std::isinf(dt)) return 2 / std::sqrt(kappa);  // of a spring alone
   const double s = 0.5 * kappa * dt * dt;
   return dt * std::sqrt(2 / (1 + std::sqrt(1 + s * s)));
 }
@@ -99,14 +101,25 @@ struct Penalty {
                     .less = 0};
       double moved = 0;  // norm of the pair's row
       for (unsigned i = 0; i < pair.count; ++i)
-        if (nodes.inverse_mass(pair.nodes[i]) > 0) moved += std::abs(pair.weights[i]);
+        if (moves(nodes, pair.nodes[i])) moved += std::abs(pair.weights[i]);
       for (unsigned i = 0; i < pair.count; ++i)
-        sum[pair.nodes[i]] += pair.stiffness * moved * std::abs(pair.weights[i]) * nodes.inverse_mass(pair.nodes[i]);
+        if (moves(nodes, pair.nodes[i]))
+          sum[pair.nodes[i]] += pair.stiffness * moved * std::abs(pair.weights[i]) * nodes.inverse_mass(pair.nodes[i]);
+    });
+    // Of a rigid body, on which all springs pull, the trace bounds the highest frequency.
+    std::vector<double> of_body(nodes.bodies().all().size(), 0.0);
+    coupled.each_on_bodies([&](std::size_t p) {
+      pairs[p].on_bodies(nodes, pairs[p].normal).each_response(nodes.bodies(), [&](std::size_t b, double response) {
+        of_body[b] += pairs[p].stiffness * response;
+      });
     });
     coupled.each(execution, [&](std::size_t p) {
       ContactPair& pair = pairs[p];
       double here = 0;
       for (unsigned i = 0; i < pair.count; ++i) here = std::max(here, sum[pair.nodes[i]]);
+      pair.on_bodies(nodes, pair.normal).each_response(nodes.bodies(), [&](std::size_t b, double) {
+        here += of_body[b];
+      });
       if (here > springs[p].most) pair.stiffness *= springs[p].most / here;
       if (pair.gap < 0 && pair.inverse_effective_mass > 0) {
         const double held = std::sqrt(2 * std::max(0.0, *pair.stored) / pair.stiffness),
@@ -119,10 +132,14 @@ struct Penalty {
     coupled.end(nodes, execution);
     coupled.each(execution, [&](std::size_t p) { pairs[p].book(nodes); });
     // Constant from step to step, for a changing step would cost balance.
-    return stiffness > 0 ? *std::max_element(sum.begin(), sum.end()) : fraction / (step.stable_dt * step.stable_dt);
+    if (!(stiffness > 0)) return fraction / (step.stable_dt * step.stable_dt);
+    return std::accumulate(of_body.begin(), of_body.end(), *std::max_element(sum.begin(), sum.end()));
   }
 
  private:
+  /// The node moves by an impulse on it, and alone.
+  static bool moves(const ContactNodes& nodes, Index i) { return nodes.inverse_mass(i) > 0 && !nodes.is_rigid(i); }
+
   struct Spring {
     double most;    // kappa of a node [1/time^2]
     double before;  // approach before the forces of this step

@@ -18,6 +18,8 @@
 #include <strike/contact/touch.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/part_faces.hpp>
+#include <strike/motion/central_differences.hpp>
+#include <strike/motion/rigid_motion.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -108,6 +110,16 @@ class PlaneContact {
       const Number most = depth > rounding(nodes, i) ? Number(-2 * step.dt * approach) : excess;
       const Number way = min(initial_depth > 0 ? Number(excess - initial_depth) : excess, most);
       if (!(way > 0)) continue;
+      if constexpr (std::is_same_v<Number, double>)
+        if (nodes.is_rigid(i)) {
+          on_bodies_.push_back({.node = i,
+                                .body = nodes.body_of(i),
+                                .x = x,
+                                .v = v,
+                                .wanted = approach + way / step.dt,
+                                .depth = depth});
+          continue;
+        }
       const Eigen::Vector3d away = nodes.free(i, normal_);
       const double inverse_effective_mass = away.dot(normal_);  // times the mass: 1 of a free node, 0 of one held
       if (!(inverse_effective_mass > 1e-6)) continue;
@@ -126,6 +138,8 @@ class PlaneContact {
       touches_.push_back({i, given.template cast<double>(), static_cast<double>(depth)});
       impulse += touches_.back().impulse;
     }
+    if constexpr (std::is_same_v<Number, double>)
+      if (!on_bodies_.empty()) impulse += push_bodies(nodes, ledger);
     impulse_ += impulse;
     force_ = impulse / step.kick();
     kick_ = step.kick();
@@ -173,6 +187,15 @@ class PlaneContact {
     void serialize(Archive& archive) {
       archive(node, impulse, depth);
     }
+  };
+  /// A node of a rigid body that touches, and the velocity along the normal that it shall have.
+  struct OnBody {
+    Index node;
+    std::size_t body;
+    Eigen::Vector3d x, v;
+    double wanted, depth;
+    double push = 0;
+    Eigen::Vector3d drag = Eigen::Vector3d::Zero();
   };
   /// Initial penetration of entry k of the list of nodes, tolerated without force [length].
   struct InitialDepth {
@@ -239,6 +262,70 @@ class PlaneContact {
     return at != inside_.end() && at->k == k ? at->depth : 0;
   }
 
+  /// The impulses on the nodes of rigid bodies, which move their bodies as a whole: node after node, forth and back,
+  /// until none changes (Gauss and Seidel, projected; Moreau and Jean). Returns their sum.
+  template <class N, class Ledger>
+  Eigen::Vector3d push_bodies(N& nodes, Ledger& ledger) {
+    std::stable_sort(on_bodies_.begin(), on_bodies_.end(),
+                     [](const OnBody& a, const OnBody& b) { return a.body < b.body; });
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t first = 0, last = 0; first < on_bodies_.size(); first = last) {
+      while (last < on_bodies_.size() && on_bodies_[last].body == on_bodies_[first].body) ++last;
+      const std::span touching(on_bodies_.data() + first, last - first);
+      RigidMotion& body = nodes.bodies()[on_bodies_[first].body];
+      settle(body, touching);
+      Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), of_moment = impulse;
+      for (const OnBody& at : touching) {
+        const Eigen::Vector3d given = at.push * normal_ + at.drag;
+        impulse += given, of_moment += cross(Eigen::Vector3d(at.x - body.centre()), given);
+      }
+      body.push_guided(impulse, of_moment);
+      for (const OnBody& at : touching) {
+        const Eigen::Vector3d before = at.v - body.kicked_at(at.x), after = body.velocity_at(at.x);
+        ledger.contact.book_impulse(-at.push * normal_.dot(before), -at.push * normal_.dot(after));
+        ledger.friction.book_impulse(-at.drag.dot(before), -at.drag.dot(after));
+        touches_.push_back({at.node, at.push * normal_ + at.drag, at.depth});
+      }
+      sum += impulse;
+    }
+    on_bodies_.clear();
+    move_with_bodies(nodes);
+    return sum;
+  }
+  void settle(const RigidMotion& body, std::span<OnBody> touching) const {
+    constexpr int most = 1000;
+    Eigen::Vector3d velocity = body.velocity(), spin = body.angular_velocity();
+    double fastest = 0;
+    for (const OnBody& at : touching) fastest = std::max({fastest, at.v.norm(), std::abs(at.wanted)});
+    for (int sweep = 0; sweep < most; ++sweep) {
+      double changed = 0;
+      for (std::size_t k = 0; k < touching.size(); ++k) {
+        OnBody& at = touching[sweep % 2 == 0 ? k : touching.size() - 1 - k];
+        const Eigen::Vector3d r = at.x - body.centre();
+        const auto give = [&](const Eigen::Vector3d& J) {
+          velocity += body.velocity_by(J), spin += body.spin_by(cross(r, J));
+        };
+        const Eigen::Vector3d arm = cross(r, normal_);
+        const double response = normal_.dot(body.velocity_by(normal_)) + arm.dot(body.spin_by(arm)),
+                     largest = body.largest_response(r.norm());
+        if (!(response > 1e-9 * largest)) continue;  // its guides hold it
+        const double before = at.push;
+        at.push = std::max(0.0, at.push + (at.wanted - normal_.dot(velocity + cross(spin, r))) / response);
+        give((at.push - before) * normal_);
+        changed = std::max(changed, response * std::abs(at.push - before));
+        if constexpr (!std::is_same_v<F, Frictionless>) {
+          const Eigen::Vector3d v = velocity + cross(spin, r), dragged = at.drag;
+          const Eigen::Vector3d sticks = dragged - (1 / largest) * (v - normal_.dot(v) * normal_);
+          const double stops = sticks.norm();
+          at.drag = stops > 0 ? Eigen::Vector3d((friction_.impulse(at.push, stops) / stops) * sticks) : sticks;
+          give(at.drag - dragged);
+          changed = std::max(changed, largest * (at.drag - dragged).norm());
+        }
+      }
+      if (!(changed > 1e-12 * fastest)) return;
+    }
+  }
+
   /// Spacing of the coordinates of node i, below which no depth counts [length].
   template <class N>
   static double rounding(const N& nodes, Index i) {
@@ -269,8 +356,9 @@ class PlaneContact {
   std::optional<double> thickness_;  // of their plates, if it is not that of their parts [length]
   std::vector<double> half_;         // half the thickness of the plates of each node, if there are any [length]
   PlatesBeside beside_;
-  std::vector<Index> places_;          // of the nodes in memory
-  std::vector<double> cells_;          // their size at each node [length]
+  std::vector<Index> places_;  // of the nodes in memory
+  std::vector<double> cells_;  // their size at each node [length]
+  std::vector<OnBody> on_bodies_;
   std::vector<InitialDepth> inside_;   // in ascending order of k
   std::vector<TouchingNode> touches_;  // of the last step
   InitialPenetration initial_;

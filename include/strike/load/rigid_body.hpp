@@ -220,6 +220,7 @@ class RigidBody {
     find_velocities(step);
     force_.setZero(), moment_.setZero();
     keep_to_guides(body, step, ledger);
+    body.note_kick(velocity_before_, spin_before_);
     detail::move_with_bodies(nodes);
   }
 
@@ -227,7 +228,7 @@ class RigidBody {
   template <class N, class Ledger>
   void move_body(N& nodes, const Step& step, Ledger& ledger) {
     RigidMotion& body = nodes.bodies()[number_];
-    keep_to_guides(body, step, ledger);
+    book_guided(body, step, ledger);
     const Eigen::Vector3d before = body.angular_momentum();
     ledger.external.book_impulse(0, 2 * body.move(step.dt, rates_));
     moment_ += (body.angular_momentum() - before) / step.kick();
@@ -313,25 +314,36 @@ class RigidBody {
   /// Gives the body the impulses of its guides and books their work.
   template <class Ledger>
   void keep_to_guides(RigidMotion& body, const Step& step, Ledger& ledger) {
-    const auto book = [&](bool is_moved, double impulse, double before, double after) {
-      if (is_moved)
-        ledger.external.book_impulse(impulse * before, impulse * after);
-      else
-        ledger.contact.book_impulse(-impulse * before, -impulse * after);
-    };
     const std::array<double, 3> impulses = body.impulses_along(velocities_), moments = body.moments_about(rates_);
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), of_moment = impulse;
+    for (std::size_t k = 0; k < rows_.size(); ++k) impulse += impulses[k] * body.directions()[k];
+    for (std::size_t k = 0; k < turns_.size(); ++k) of_moment += moments[k] * body.axes()[k];
+    body.push(impulse, of_moment);
+    book(body, impulse, of_moment, step, ledger);
+  }
+  /// Books what the guides have taken of the impulses of contacts.
+  template <class Ledger>
+  void book_guided(RigidMotion& body, const Step& step, Ledger& ledger) {
+    const auto [impulse, of_moment] = body.take_guided();
+    book(body, impulse, of_moment, step, ledger);
+  }
+  template <class Ledger>
+  void book(const RigidMotion& body, const Eigen::Vector3d& impulse, const Eigen::Vector3d& of_moment, const Step& step,
+            Ledger& ledger) {
+    const auto book_one = [&](const Row& row, double J, double before, double after) {
+      if (row.is_moved)
+        ledger.external.book_impulse(J * before, J * after);
+      else
+        ledger.contact.book_impulse(-J * before, -J * after);
+    };
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       const Eigen::Vector3d& along = body.directions()[k];
-      impulse += impulses[k] * along;
-      book(rows_[k].is_moved, impulses[k], along.dot(velocity_before_), velocities_[k]);
+      book_one(rows_[k], along.dot(impulse), along.dot(velocity_before_), velocities_[k]);
     }
     for (std::size_t k = 0; k < turns_.size(); ++k) {
       const Eigen::Vector3d& about = body.axes()[k];
-      of_moment += moments[k] * about;
-      book(turns_[k].is_moved, moments[k], about.dot(spin_before_), rates_[k]);
+      book_one(turns_[k], about.dot(of_moment), about.dot(spin_before_), rates_[k]);
     }
-    body.push(impulse, of_moment);
     force_ += impulse / step.kick(), moment_ += of_moment / step.kick();
   }
 

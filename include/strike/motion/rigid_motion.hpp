@@ -54,16 +54,17 @@ class RigidMotion {
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& x) const {
     return velocity_ + cross(angular_velocity(), Eigen::Vector3d(x - centre_));
   }
-  /// The change of the velocity of the point at r from the centre along a unit vector, by a unit impulse at the same
-  /// point along it [1/mass].
-  double response(const Eigen::Vector3d& r, const Eigen::Vector3d& along) const {
-    const Eigen::Vector3d moment = cross(r, along);
-    return 1 / mass_ + moment.dot(turned(inverse_, moment));
+  /// The changes of its velocity and of its angular velocity by an impulse and one of moment, whose parts along its
+  /// guides these take.
+  Eigen::Vector3d velocity_by(Eigen::Vector3d impulse) const {
+    for (const Eigen::Vector3d& d : directions_) impulse -= d.dot(impulse) * d;
+    return impulse / mass_;
   }
-  /// The angular velocity by an angular momentum.
-  Eigen::Vector3d turned_by(const Eigen::Vector3d& angular_momentum) const {
-    return turned(inverse_, angular_momentum);
+  Eigen::Vector3d spin_by(const Eigen::Vector3d& of_moment) const {
+    return turned(inverse_, of_moment + held_back(turned(inverse_, of_moment)));
   }
+  /// No smaller than what an impulse changes the velocity of a point at this distance from the centre [1/mass].
+  double largest_response(double distance) const { return 1 / mass_ + distance * distance * trace(inverse_); }
 
   void set(const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
     velocity_ = velocity, angular_momentum_ = turned(inertia_, angular_velocity);
@@ -87,22 +88,31 @@ class RigidMotion {
     return impulses;
   }
   std::array<double, 3> moments_about(std::span<const double> rates) const {
-    std::array<std::array<double, 4>, 3> rows{};  // Gauss, of a matrix that is positive definite
-    const std::size_t n = axes_.size();
+    std::array<double, 3> missing{};
     const Eigen::Vector3d w = angular_velocity();
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) rows[i][j] = axes_[i].dot(turned(inverse_, axes_[j]));
-      rows[i][3] = rates[i] - axes_[i].dot(w);
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        if (j != i) {
-          const double factor = rows[j][i] / rows[i][i];
-          for (std::size_t k = i; k < 4; ++k) rows[j][k] -= factor * rows[i][k];
-        }
-    std::array<double, 3> moments{};
-    for (std::size_t i = 0; i < n; ++i) moments[i] = rows[i][3] / rows[i][i];
-    return moments;
+    for (std::size_t i = 0; i < axes_.size(); ++i) missing[i] = rates[i] - axes_[i].dot(w);
+    return moments_for(missing);
+  }
+  /// An impulse and one of moment, less the parts that its guides take and that it sums up until they are asked for.
+  void push_guided(const Eigen::Vector3d& impulse, const Eigen::Vector3d& of_moment) {
+    Eigen::Vector3d along = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& d : directions_) along -= d.dot(impulse) * d;
+    const Eigen::Vector3d about = held_back(turned(inverse_, of_moment));
+    push(impulse + along, of_moment + about);
+    by_guides_ += along, moment_by_guides_ += about;
+  }
+  /// What the guides have taken of impulses since this was asked.
+  std::pair<Eigen::Vector3d, Eigen::Vector3d> take_guided() {
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    return {std::exchange(by_guides_, none), std::exchange(moment_by_guides_, none)};
+  }
+
+  /// Takes note of its velocities half a step ago: what it has beyond them forces and guides have given.
+  void note_kick(const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
+    kick_ = velocity_ - velocity, spin_of_kick_ = this->angular_velocity() - angular_velocity;
+  }
+  Eigen::Vector3d kicked_at(const Eigen::Vector3d& x) const {
+    return kick_ + cross(spin_of_kick_, Eigen::Vector3d(x - centre_));
   }
 
   /// Moves over the step dt with its velocities; where axes hold the rotation at these rates, the moments about them
@@ -128,6 +138,34 @@ class RigidMotion {
   }
 
  private:
+  /// The impulses of moment about the axes that change the angular velocity by this along them.
+  std::array<double, 3> moments_for(const std::array<double, 3>& missing) const {
+    std::array<std::array<double, 4>, 3> rows{};  // Gauss, of a matrix that is positive definite
+    const std::size_t n = axes_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) rows[i][j] = axes_[i].dot(turned(inverse_, axes_[j]));
+      rows[i][3] = missing[i];
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (j != i) {
+          const double factor = rows[j][i] / rows[i][i];
+          for (std::size_t k = i; k < 4; ++k) rows[j][k] -= factor * rows[i][k];
+        }
+    std::array<double, 3> moments{};
+    for (std::size_t i = 0; i < n; ++i) moments[i] = rows[i][3] / rows[i][i];
+    return moments;
+  }
+  /// The impulse of moment by which the axes take a change of the angular velocity about them.
+  Eigen::Vector3d held_back(const Eigen::Vector3d& spin) const {
+    std::array<double, 3> missing{};
+    for (std::size_t i = 0; i < axes_.size(); ++i) missing[i] = -axes_[i].dot(spin);
+    const std::array<double, 3> moments = moments_for(missing);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < axes_.size(); ++i) sum += moments[i] * axes_[i];
+    return sum;
+  }
+
   /// A x, with A given in the axes of the body.
   Eigen::Vector3d turned(const SymmetricTensor<double>& A, const Eigen::Vector3d& x) const {
     return times<double>(rotation_, A * in_body(x));
@@ -224,8 +262,10 @@ class RigidMotion {
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
                   angular_momentum_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d centre_before_ = Eigen::Vector3d::Zero(), spin_before_ = centre_before_;  // of the last step
+  Eigen::Vector3d centre_before_ = Eigen::Vector3d::Zero(), spin_before_ = Eigen::Vector3d::Zero();  // of the last step
   Eigen::Matrix3d rotation_before_ = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d kick_ = Eigen::Vector3d::Zero(), spin_of_kick_ = Eigen::Vector3d::Zero();  // of this one
+  Eigen::Vector3d by_guides_ = Eigen::Vector3d::Zero(), moment_by_guides_ = Eigen::Vector3d::Zero();
   double dt_ = 0;
 };
 
