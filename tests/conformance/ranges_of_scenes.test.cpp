@@ -110,6 +110,11 @@ TEST_CASE("conformance: wrong numbers of loads and supports are refused") {
   refuses(PrescribedDisplacement{{0, 1, 0}, {6}, Constant{.01}});
   refuses(Support{foot, {unit(Axis::z)}, {unit(Axis::x)}});
   refuses(Symmetry{{0, 2, 0}, {8}});
+  refuses(RigidBody{above, Inertia{.mass = 1e-3, .centre = {1, 2, 3}}});
+  refuses(RigidBody{above, Inertia{}, HeldBody{{unit(Axis::x)}, {{0, 2, 0}}}});
+  refuses(RigidBody{above, Inertia{}, PinnedBody{{1, 2, 3}}});
+  refuses(RigidBody{above, Inertia{}, BodyVelocity{{1, 2, 0}, Constant{.01}}, BodySpin{Axis::z, Constant{.01}}});
+  refuses(RigidBody{above, Inertia{}, BodyDisplacement{{1, 2, 0}, Constant{.01}}, BodyAngle{Axis::z, Constant{.01}}});
   refuses(InitialVelocity{{1e-3, 2e-3, 3e-3}, Spin{{.01, .02, .03}, {1, 2, 3}}, above});
   testing::refuses_wrong_arguments("Curve", {{"time", 1}, {"value", 2}, {"time", 3}, {"value", 4}}, tried,
                                    [](const Numbers& x) {

@@ -181,6 +181,16 @@ TEST_CASE("a rigid ball on an elastic block moves as the same ball in stiff elem
   CHECK((mass * (velocity_of(springs, 0) - Vector3d(0.5, 0, -5)) + springs.contact<0>().impulse()).norm() < 1e-12);
 }
 
+TEST_CASE("Everything finds rigid bodies too: the same pairs as by their surfaces") {
+  const BallOnBlock all;
+  auto pairs = all.rigid(Kinematic{}, 0.9);
+  Explicit everything{Scene{all.scene.nodes, all.block, all.clamped, RigidBody{all.body, 2000}, all.flight,
+                            Contact{Everything{}, Kinematic{}, Coulomb{0.2}}}};
+  pairs.until(1e-3), everything.until(1e-3);
+  CHECK(velocity_of(everything, 0).z() == Approx(velocity_of(pairs, 0).z()).epsilon(0.02));  // edges on edges too
+  CHECK(std::abs(everything.energy().error()) < 2e-3);
+}
+
 TEST_CASE("contact of rigid bodies: threads change no bit") {
   const BallOnBlock all;
   auto one = all.rigid(Kinematic{}, 0.9);

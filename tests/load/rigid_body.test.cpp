@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include <strike/dynamics/explicit.hpp>
+#include <strike/dynamics/global_step.hpp>
+#include <strike/dynamics/subcycling.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/load/body_force.hpp>
 #include <strike/load/initial_velocity.hpp>
@@ -14,9 +16,14 @@
 #include <strike/material/elastic.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/select.hpp>
+#include <strike/mesh/surface.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/motion/openmp.hpp>
+#include <strike/output/checkpoint.hpp>
 
+#include "output/scratch.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 
 using namespace strike;
 using Eigen::Vector3d;
@@ -49,9 +56,10 @@ TEST_CASE("rigid body: a free one of three inertias keeps L to the bit and its e
   RigidMotion body({}, {}, own);
   body.set({1, 2, 3}, {0.7, -1.1, 0.4});
   const Vector3d L = body.angular_momentum();
-  const double energy = body.kinetic_energy(), dt = 0.05, turns = body.angular_velocity().norm() * dt / (2 * M_PI);
+  const double energy = body.kinetic_energy(), dt = 0.2,
+               turns = body.angular_velocity().norm() * dt / (2 * std::numbers::pi);
   double worst = 0;
-  for (int step = 0; step * turns < 1e4; ++step) {
+  for (int step = 0; step * turns < testing::repeated(10000); ++step) {
     body.move(dt);
     worst = std::max(worst, std::abs(body.kinetic_energy() / energy - 1));
   }
@@ -192,4 +200,92 @@ TEST_CASE("rigid body: a block that carries an elastic one moves and turns as th
   }
   CHECK(apart < 0.02 * moved);  // lumped masses of the stiff block: its inertia is larger by the square of its cells
   CHECK(std::abs(rigid.energy().error()) < 1e-3);
+}
+
+namespace {
+
+/// A soft bar between two blocks that spins and stretches.
+template <class... Policies>
+auto dumbbell(Policies... policies) {
+  const Mesh mesh = box({.size = {1, 0.2, 0.2}, .cells = {10, 2, 2}});
+  Cells<8> bar, left, right;
+  for (const auto& cell : mesh.hexahedra) {
+    const double x = mesh.nodes[cell[0]].x();
+    (x < 0.25 ? left : x > 0.65 ? right : bar).push_back(cell);
+  }
+  return Explicit{Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e6, 0.3}, bar}, RigidBody{Mesh{mesh.nodes, left}, 2000},
+                        RigidBody{Mesh{mesh.nodes, right}, 3000, HeldBody{{unit(Axis::z)}, {unit(Axis::x)}}},
+                        InitialVelocity{{0, 0, 0}, Spin{{0, 0, 6}, {0.5, 0.1, 0.1}}}},
+                  ExplicitOptions{}, policies...};
+}
+template <class Run>
+double apart(const Run& one, const auto& other) {
+  double most = 0;
+  for (std::size_t i = 0; i < one.nodes().size(); ++i)
+    most = std::max(most, (one.positions()[i] - other.positions()[i]).norm());
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("rigid body: with every policy of a run the same motion, and the bits of one thread") {
+  auto plain = dumbbell();
+  plain.until(0.05);
+  CHECK(std::abs(plain.energy().error()) < 1e-3);
+  auto threads = dumbbell(OpenMP{3});
+  threads.until(0.05);
+  CHECK(threads.positions() == plain.positions());
+  auto bound = dumbbell(GlobalStep{});
+  bound.until(0.05);
+  CHECK(apart(bound, plain) < 1e-3);  // longer steps
+  CHECK(bound.steps() < plain.steps());
+  auto subcycled = dumbbell(Subcycling{});
+  subcycled.until(0.05);
+  CHECK(apart(subcycled, plain) < 1e-3);
+  auto mixed = dumbbell(in<Pack<float>, double>);
+  mixed.until(0.05);
+  CHECK(apart(mixed, plain) < 1e-5);  // numbers of seven digits
+  auto single = dumbbell(in<Pack<float>>);
+  single.until(0.05);
+  CHECK(apart(single, plain) < 1e-3);
+  CHECK(single.nodes().bodies()[1].angular_momentum().allFinite());
+
+  const ScratchFolder folder("rigid_body");
+  auto half = dumbbell(), other = dumbbell();
+  half.until(0.02);
+  write_checkpoint(folder / "half", half);
+  read_checkpoint(folder / "half", other);
+  other.until(0.05), half.until(0.05);
+  CHECK(other.positions() == half.positions());
+  CHECK(other.nodes().bodies()[0].angular_momentum() == half.nodes().bodies()[0].angular_momentum());
+}
+
+TEST_CASE("rigid body: what it cannot be is refused in a sentence") {
+  const auto refusal = [](auto&&... items) -> std::string {
+    try {
+      Explicit run{Scene{brick.nodes, items...}, ExplicitOptions{.largest_step = 1e-3}};
+      run.step();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const RigidBody body{brick, 12};
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(refusal(body, Pinned{{3}}),
+             ContainsSubstring("node 3 of the rigid body 0") && ContainsSubstring("RigidBody"));
+  CHECK_THAT(refusal(body, RigidBody{std::vector<Index>{3, 4}}),
+             ContainsSubstring("node 3 belongs to the rigid bodies 0 and 1"));
+  CHECK_THAT(refusal(body, InitialVelocity{{1, 0, 0}, {3}}),
+             ContainsSubstring("give all its nodes one InitialVelocity"));
+  CHECK_THAT(refusal(RigidBody{std::vector<Index>{}}), ContainsSubstring("has no nodes"));
+  CHECK_THAT(refusal(RigidBody{std::vector<Index>{99}}), ContainsSubstring("99"));
+  CHECK_THAT(refusal(RigidBody{brick, 12, HeldBody{{unit(Axis::x)}}, BodyVelocity{Axis::x, Constant{}}}),
+             ContainsSubstring("is told twice how to move along"));
+  CHECK_THAT(
+      refusal(RigidBody{detail::ascending(surface_nodes(surface(brick))), Inertia{1, {5, 0, 0}, {1, 1, 1, 0, 0, 0}}}),
+      ContainsSubstring("is not well within its nodes"));
+  CHECK_THAT(refusal(RigidBody{std::vector<Index>{0, 1, 2, 3}}), ContainsSubstring("has no mass"));
+  CHECK_THROWS_WITH((RigidBody{brick, -1.0}), ContainsSubstring("the density of a rigid body is -1"));
+  CHECK_THROWS_WITH((RigidBody{Mesh{brick.nodes}, 1.0}), ContainsSubstring("give it cells"));
 }

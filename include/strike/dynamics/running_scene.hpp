@@ -157,6 +157,9 @@ class RunningScene {
     std::vector<PartFaces> parts;
     if constexpr ((item::Begin::takes_parts<Items, Nodes> || ...))
       each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
+    each([&](const auto& item) {
+      if constexpr (requires { item.add_faces(parts); }) item.add_faces(parts);
+    });
     begin_debris();
     const std::span<const PartFaces> all(parts);
     each([&](auto& item) { call_if_present<item::Begin>(item, nodes_, all); });

@@ -14,6 +14,8 @@
 #include <strike/error.hpp>
 #include <strike/load/prescribed_motion.hpp>
 #include <strike/mesh/inertia.hpp>
+#include <strike/mesh/part_faces.hpp>
+#include <strike/mesh/surface.hpp>
 #include <strike/motion/central_differences.hpp>
 #include <strike/motion/rigid_motion.hpp>
 #include <strike/motion/step.hpp>
@@ -134,14 +136,21 @@ class RigidBody {
   RigidBody(const Mesh& mesh, double density, double thickness, Guides... guides) : guides_(std::move(guides)...) {
     std::vector<double> nodal(mesh.nodes.size(), 0.0);
     own_ = inertia(mesh, density, thickness, nodal);
+    PartFaces solids{.cells = mesh.hexahedra.size() + mesh.tetrahedra.size()};
+    detail::append_faces(solids.faces, mesh.hexahedra, detail::hexahedron_faces, 0);
+    detail::append_faces(solids.faces, mesh.tetrahedra, detail::tetrahedron_faces, mesh.hexahedra.size());
+    if (solids.cells > 0) outside_.push_back(std::move(solids));
+    if (!mesh.quadrilaterals.empty())
+      outside_.push_back({.cells = mesh.quadrilaterals.size(),
+                          .faces = quadrilateral_surface(mesh.quadrilaterals),
+                          .thickness = thickness});
     for (std::size_t i = 0; i < nodal.size(); ++i)
       if (nodal[i] > 0) nodes_.push_back(static_cast<Index>(i)), masses_.push_back(nodal[i]);
   }
   RigidBody(const Mesh& mesh, double density, Guides... guides) : RigidBody(mesh, density, 0.0, std::move(guides)...) {}
 
   void ranges(const auto& number) const {
-    number("mass", own_.mass, range::not_negative);
-    number("centre", own_.centre, range::point);
+    number(own_);
     std::apply([&](const auto&... guide) { (number(guide), ...); }, guides_);
   }
 
@@ -150,6 +159,9 @@ class RigidBody {
   /// What its guides exert on it in the last step.
   const Eigen::Vector3d& force() const { return force_; }
   const Eigen::Vector3d& moment() const { return moment_; }
+
+  /// Adds its cells to what contacts know of the scene, behind the parts.
+  void add_faces(std::vector<PartFaces>& parts) const { parts.insert(parts.end(), outside_.begin(), outside_.end()); }
 
   template <class N>
   void add_body(N& nodes) {
@@ -359,7 +371,8 @@ class RigidBody {
   };
 
   std::vector<Index> nodes_;
-  std::vector<double> masses_;  // of its own, of the nodes
+  std::vector<double> masses_;      // of its own, of the nodes
+  std::vector<PartFaces> outside_;  // of its cells
   Inertia own_;
   std::tuple<Guides...> guides_;
   std::size_t number_ = 0;

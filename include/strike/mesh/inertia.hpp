@@ -10,6 +10,7 @@
 #include <strike/error.hpp>
 #include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/range.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -21,6 +22,10 @@ struct Inertia {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   SymmetricTensor<double> moment = {};
 
+  void ranges(const auto& number) const {
+    number("mass", mass, range::not_negative);
+    number("centre", centre, range::point);
+  }
   /// Adds a point mass, or what another body has.
   void add(double m, const Eigen::Vector3d& x) { add({m, x}); }
   void add(const Inertia& other) {
