@@ -11,6 +11,7 @@
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
 #include <strike/load/initial_velocity.hpp>
+#include <strike/load/rigid_body.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
@@ -258,4 +259,17 @@ TEST_CASE("film: a frame that cannot be written is not in the lists") {
   film.write(0, cube, cube.nodes);
   CHECK_THROWS(film.write(1, cube, cube.nodes, {{"too few", std::vector<double>{1}}}));
   CHECK(film.times() == std::vector{0.0});
+}
+
+TEST_CASE("vtu of a run: rigid bodies follow the parts, where they have moved to") {
+  Mesh both = box({.size = {1, 1, 1}, .cells = {1, 1, 2}});
+  const Cells<8> elastic{both.hexahedra[0]}, rigid{both.hexahedra[1]};
+  Explicit run{Scene{both.nodes, Part{Hex8{}, metal, elastic}, RigidBody{Mesh{both.nodes, rigid}, 1},
+                     InitialVelocity{{0, 0, 1}}}};
+  run.until(0.5);
+  const ScratchFolder folder("vtu_bodies");
+  write_vtu(folder / "run.vtu", run);
+  const std::string file = content_of(folder / "run.vtu");
+  CHECK(array_of<double>(file, "part") == std::vector<double>{0, 1});
+  CHECK(array_of<double>(file, "Points").at(2) == Approx(0.5));
 }

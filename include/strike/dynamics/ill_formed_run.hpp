@@ -80,6 +80,7 @@ class IllFormedRun {
   std::vector<Eigen::Vector3d> positions() const { return {}; }
   std::vector<Eigen::Vector3d> velocities() const { return {}; }
   void each_part(const auto&) const {}
+  void each_body(const auto&) const {}
   template <std::size_t>
   IllFormedItem& item() {
     return items_[0];

@@ -103,6 +103,13 @@ class RunningScene {
       if constexpr (is_running_part<std::remove_cvref_t<decltype(item)>>) f(item);
     });
   }
+  /// f(body) for each RigidBody.
+  template <class F>
+  void each_body(const F& f) const {
+    each([&](const auto& item) {
+      if constexpr (requires { requires std::remove_cvref_t<decltype(item)>::is_rigid_body; }) f(item);
+    });
+  }
   /// Contact i of the scene, counted among the items that resolve contact from 0, walls and ties among them.
   template <std::size_t i>
   auto& contact() {

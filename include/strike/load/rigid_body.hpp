@@ -136,6 +136,7 @@ class RigidBody {
   RigidBody(const Mesh& mesh, double density, double thickness, Guides... guides) : guides_(std::move(guides)...) {
     std::vector<double> nodal(mesh.nodes.size(), 0.0);
     own_ = inertia(mesh, density, thickness, nodal);
+    cells_ = {{}, mesh.hexahedra, mesh.tetrahedra, mesh.quadrilaterals};
     PartFaces solids{.cells = mesh.hexahedra.size() + mesh.tetrahedra.size()};
     detail::append_faces(solids.faces, mesh.hexahedra, detail::hexahedron_faces, 0);
     detail::append_faces(solids.faces, mesh.tetrahedra, detail::tetrahedron_faces, mesh.hexahedra.size());
@@ -156,6 +157,8 @@ class RigidBody {
 
   /// Its number among the rigid bodies of the run: `run.nodes().bodies()[number()]` is its motion.
   std::size_t number() const { return number_; }
+  /// Its cells, if it has been made of some.
+  const Mesh& cells() const { return cells_; }
   /// What its guides exert on it in the last step.
   const Eigen::Vector3d& force() const { return force_; }
   const Eigen::Vector3d& moment() const { return moment_; }
@@ -372,7 +375,8 @@ class RigidBody {
 
   std::vector<Index> nodes_;
   std::vector<double> masses_;      // of its own, of the nodes
-  std::vector<PartFaces> outside_;  // of its cells
+  Mesh cells_;                      // without nodes
+  std::vector<PartFaces> outside_;  // of these
   Inertia own_;
   std::tuple<Guides...> guides_;
   std::size_t number_ = 0;

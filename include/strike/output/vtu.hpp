@@ -244,7 +244,8 @@ class VtuCells {
 
 /// Writes the state of a run: the velocity of nodes, and of each element its part, mean stress (xx yy zz xy yz zx, of a
 /// plate in the plate's frame) and mean equivalent plastic strain (0 where a material has none). Cells stand part after
-/// part, without those that have been deleted. Error: a file that cannot be written.
+/// part, without those that have been deleted; rigid bodies follow, numbered behind the parts. Error: a file that
+/// cannot be written.
 template <class Run>
   requires requires(const Run& run) { run.each_part([](const auto&) {}); }
 void write_vtu(const std::string& path, const Run& run) {
@@ -267,6 +268,19 @@ void write_vtu(const std::string& path, const Run& run) {
       stresses.push_back(stress[e]);
       plastic_strains.push_back(plastic_strain[e]);
     }
+  });
+  double body = 0;
+  run.each_part([&](const auto&) { ++body; });
+  run.each_body([&](const auto& rigid) {
+    const Mesh& mesh = rigid.cells();
+    const auto add = [&](const auto& all, bool solid) {
+      for (const auto& cell : all) {
+        cells.add(cell, detail::VtuCells::kind(cell.size(), solid));
+        parts.push_back(body), stresses.push_back({}), plastic_strains.push_back(0);
+      }
+    };
+    add(mesh.hexahedra, true), add(mesh.tetrahedra, true), add(mesh.quadrilaterals, false);
+    ++body;
   });
   const std::vector<Eigen::Vector3d> positions = run.positions(), velocities = run.velocities();
   detail::write_vtu(path, run.time(), positions, cells, {{"velocity", velocities}},
