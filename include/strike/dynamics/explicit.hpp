@@ -67,7 +67,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     kick();
     constrain();
     resolve_contact();
-    move_bodies();
+    this->move_bodies(step_, ledger_);
     close_balance();
     drift();
     compute_forces();
@@ -155,16 +155,11 @@ class Explicit : public detail::RunningScene<Method, Items...> {
         damping_(method.damping),
         cycle_(method.cycle),
         kinetic_(detail::chunks(this->nodes_.size())) {
-    this->each([&](auto& item) {
-      if constexpr (requires { item.add_body(this->nodes_); }) item.add_body(this->nodes_);
-    });
+    this->add_bodies();
     detail::check_masses(this->nodes_);
     detail::complete_inertia(this->nodes_);
     moved_by_rounding_ = detail::moved_by_rounding(this->nodes_);
     this->begin_items();
-    this->each([&](auto& item) {
-      if constexpr (requires { item.start_body(this->nodes_); }) item.start_body(this->nodes_);
-    });
     ledger_.kinetic = detail::kinetic_energy(this->nodes_);
     ledger_.internal.book(this->stored_energy());
     ledger_.initial = ledger_.kinetic + ledger_.internal.settled();
@@ -215,13 +210,6 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   void resolve_contact() {
     this->each([&](auto& item) {
       detail::call_if_present<detail::item::ResolveContact>(item, this->nodes_, step_, ledger_, execution_);
-    });
-  }
-
-  void move_bodies() {
-    this->each([&](auto& item) {
-      if constexpr (requires { item.move_body(this->nodes_, step_, ledger_); })
-        item.move_body(this->nodes_, step_, ledger_);
     });
   }
 

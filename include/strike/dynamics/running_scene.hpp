@@ -106,9 +106,7 @@ class RunningScene {
   /// f(body) for each RigidBody.
   template <class F>
   void each_body(const F& f) const {
-    each([&](const auto& item) {
-      if constexpr (requires { requires std::remove_cvref_t<decltype(item)>::is_rigid_body; }) f(item);
-    });
+    each(of_bodies(f));
   }
   /// Contact i of the scene, counted among the items that resolve contact from 0, walls and ties among them.
   template <std::size_t i>
@@ -145,6 +143,16 @@ class RunningScene {
         items_(start(std::move(scene.items), nodes_, std::move(arrangement.cells))) {}
 
   template <class F>
+  static auto of_bodies(const F& f) {
+    return [&](auto& item) {
+      if constexpr (requires { requires std::remove_cvref_t<decltype(item)>::is_rigid_body; }) f(item);
+    };
+  }
+  template <class F>
+  void each_body(const F& f) {
+    each(of_bodies(f));
+  }
+  template <class F>
   void each(const F& f) {
     each_of(items_, f);
   }
@@ -164,13 +172,20 @@ class RunningScene {
     std::vector<PartFaces> parts;
     if constexpr ((item::Begin::takes_parts<Items, Nodes> || ...))
       each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
-    each([&](const auto& item) {
-      if constexpr (requires { item.add_faces(parts); }) item.add_faces(parts);
-    });
+    each_body([&](const auto& body) { body.add_faces(parts); });
     begin_debris();
     const std::span<const PartFaces> all(parts);
     each([&](auto& item) { call_if_present<item::Begin>(item, nodes_, all); });
     check_start(nodes_);
+    each_body([&](auto& body) { body.start_body(nodes_); });
+  }
+  /// Makes the rigid bodies, whose nodes get their masses.
+  void add_bodies() {
+    each_body([&](auto& body) { body.add_body(nodes_); });
+  }
+  /// After contacts have pushed them.
+  void move_bodies(const Step& step, Ledger& ledger) {
+    each_body([&](auto& body) { body.move_body(nodes_, step, ledger); });
   }
   /// Errors: debris of a part that is not before it, that has debris already, or whose elements cannot become
   /// particles.
