@@ -1,6 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <iterator>
 #include <map>
@@ -18,7 +21,7 @@
 namespace strike {
 namespace detail {
 
-/// MSH 2.2 and 4.1 in ASCII (Gmsh reference manual, "MSH file format").
+/// MSH 2, 4.0 and 4.1 (Gmsh reference manual, "MSH file format" and "Legacy formats").
 class GmshReader {
  public:
   explicit GmshReader(Source source) : source_(std::move(source)) {}
@@ -32,23 +35,29 @@ class GmshReader {
       const std::string_view name = line.substr(1);
       rest_ = {};
       bool was_read = true;
+      has_elements_ |= name == "Elements";
       if (version_ == 0 && name != "MeshFormat" && name != "Comments")
         source_.refuse({"the file does not begin with $MeshFormat: save it from gmsh as .msh of version 2.2 or 4.1."});
       if (name == "MeshFormat")
         format();
       else if (name == "PhysicalNames")
         physical_names();
-      else if (name == "Entities" && version_ == 4)
-        entities();
+      else if (name == "Entities" && version_ >= 40)
+        entities(false);
+      else if (name == "PartitionedEntities" && version_ >= 40)
+        entities(true);
       else if (name == "Nodes")
-        version_ == 4 ? nodes() : nodes_of_2();
+        version_ == 41 ? nodes() : version_ == 40 ? nodes_of_40() : nodes_of_2(false);
+      else if (name == "ParametricNodes" && version_ == 2 && !is_binary_)
+        nodes_of_2(true);
       else if (name == "Elements")
-        version_ == 4 ? elements() : elements_of_2();
+        version_ >= 40 ? elements() : is_binary_ ? binary_elements_of_2() : elements_of_2();
       else
         skipped_.add(line.substr(0, 60), source_.line()), was_read = false;
       to_end_of(name, was_read);
     }
     if (version_ == 0) source_.refuse({"the file is empty: save it from gmsh as .msh of version 2.2 or 4.1."});
+    if (!has_elements_) source_.refuse({"the file has no section $Elements: save it from gmsh again."});
     if (version_ == 2) join_copies();
     give_sets_their_nodes();
     Deck deck = finished(std::move(raw_), source_).deck;
@@ -73,22 +82,75 @@ class GmshReader {
     rest_.remove_prefix(end);
     return word;
   }
-  FileNumber integer(std::string_view meaning) { return source_.integer(word(meaning), meaning); }
-  FileNumber count(std::string_view meaning) {
-    const FileNumber n = integer(joined({"the count of ", meaning}));
+  /// The next number of a binary section, of the machine that wrote it.
+  template <class T>
+  T binary(std::string_view meaning) {
+    std::array<char, sizeof(T)> bytes{};
+    const std::string_view read = source_.bytes(sizeof(T));
+    if (read.size() < sizeof(T))
+      source_.refuse({"the file ends where ", meaning, " should stand: save it from gmsh again."});
+    std::copy(read.begin(), read.end(), bytes.begin());
+    if (is_swapped_) std::reverse(bytes.begin(), bytes.end());
+    return std::bit_cast<T>(bytes);
+  }
+  /// A number that is a size_t in binary sections.
+  FileNumber size(std::string_view meaning) {
+    if (is_binary_)
+      return size_bytes_ == 4 ? FileNumber(binary<std::uint32_t>(meaning)) : binary<std::int64_t>(meaning);
+    return source_.integer(word(meaning), meaning);
+  }
+  /// A number that is an int in binary sections.
+  FileNumber integer(std::string_view meaning) {
+    if (is_binary_) return binary<std::int32_t>(meaning);
+    return source_.integer(word(meaning), meaning);
+  }
+  FileNumber checked_count(FileNumber n, std::string_view meaning) const {
     if (n < 0)
       source_.refuse(
           {"the count of ", meaning, " ", std::to_string(n), " is negative: save the file from gmsh again."});
     return n;
   }
-  double number(std::string_view meaning) { return source_.number(word(meaning), meaning); }
-  FileNumber tag(std::string_view meaning, FileNumber least = 1) { return source_.tag(word(meaning), meaning, least); }
+  FileNumber count(std::string_view meaning) {
+    return checked_count(size(joined({"the count of ", meaning})), meaning);
+  }
+  /// A count that is text in binary files too.
+  FileNumber text_count(std::string_view meaning) {
+    const std::string whole = joined({"the count of ", meaning});
+    return checked_count(source_.integer(word(whole), whole), meaning);
+  }
+  double number(std::string_view meaning) {
+    if (!is_binary_) return source_.number(word(meaning), meaning);
+    const double value = binary<double>(meaning);
+    if (!std::isfinite(value)) source_.refuse({meaning, " is not finite: save the file from gmsh again."});
+    return value;
+  }
+  FileNumber checked_tag(FileNumber n, std::string_view meaning, FileNumber least) const {
+    if (n < least || n >= number_limit)
+      source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
+    return n;
+  }
+  /// The number of a node or an element.
+  FileNumber tag(std::string_view meaning) {
+    if (!is_binary_) return source_.tag(word(meaning), meaning);
+    return checked_tag(version_ == 2 ? integer(meaning) : size(meaning), meaning, 1);
+  }
+  /// The number of a group or another tag, which may be negative.
+  FileNumber signed_tag(std::string_view meaning) { return checked_tag(integer(meaning), meaning, 1 - number_limit); }
+  /// Before bytes: the line of the count before them holds no more.
+  void begin_bytes() {
+    if (!trimmed(rest_).empty())
+      source_.refuse({shown(rest_), " stands before the bytes of the section: save the file from gmsh again."});
+    rest_ = {};
+  }
 
   /// Error: a section that was read holds more than it counts.
   void to_end_of(std::string_view name, bool was_read) {
     do {
       rest_ = trimmed(rest_);
-      if (rest_.size() == name.size() + 4 && rest_.substr(0, 4) == "$End" && rest_.substr(4) == name) return;
+      const bool follows_bytes = is_binary_ && !was_read;
+      if ((rest_.size() == name.size() + 4 || follows_bytes) && rest_.ends_with(name) &&
+          rest_.substr(0, rest_.size() - name.size()).ends_with("$End"))
+        return;
       if (was_read && !rest_.empty())
         source_.refuse({"section $", name, " holds ", shown(rest_), " after as much as its counts say: correct them."});
     } while (source_.next(rest_));
@@ -97,37 +159,66 @@ class GmshReader {
 
   void format() {
     const std::string_view version = word("the version");
-    const FileNumber binary = integer("the file type");
-    if (version != "2.1" && version != "2.2" && version != "4.1")
-      source_.refuse({"version ", shown(version), " is not read: save as 2.2 or 4.1 (gmsh -format msh41)."});
-    if (binary != 0) source_.refuse({"the file is binary: save it as ASCII (Mesh.Binary = 0)."});
+    const FileNumber type = source_.integer(word("the file type"), "the file type");
+    const auto is_one_of = [&](auto... names) { return ((version == names) || ...); };
     if (version_ != 0) source_.refuse({"the format is there twice: save the file from gmsh again."});
-    version_ = version == "4.1" ? 4 : 2;
-    integer("the size of numbers");
+    version_ = is_one_of("2", "2.0", "2.1", "2.2") ? 2 : is_one_of("4", "4.0") ? 40 : version == "4.1" ? 41 : 0;
+    if (version_ == 0)
+      source_.refuse({"version ", shown(version), " is not read: save as 2.2 or 4.1 (gmsh -format msh41)."});
+    if (type != 0 && type != 1)
+      source_.refuse({"the file type ", std::to_string(type), " is neither 0, ASCII, nor 1, binary: correct it."});
+    size_bytes_ = source_.integer(word("the size of numbers"), "the size of numbers");
+    if (type == 0) return source_.expect_text();
+    if (version_ == 40) source_.refuse({"version 4.0 is read in ASCII alone: save as 4.1 (gmsh -format msh41)."});
+    if (size_bytes_ != 8 && (size_bytes_ != 4 || version_ == 2))
+      source_.refuse(
+          {"the size of numbers ", std::to_string(size_bytes_), " is not 8: save the file from gmsh again."});
+    begin_bytes();
+    is_binary_ = true;
+    if (const auto one = binary<std::uint32_t>("the 1 of the byte order"); one != 1) {
+      if (one != 0x01000000) source_.refuse({"the 1 of the byte order is no 1: save the file from gmsh again."});
+      is_swapped_ = true;
+    }
   }
 
   void physical_names() {
-    for (FileNumber left = count("names"); left > 0; --left) {
-      const FileNumber dimension = integer("the dimension of a group"), number = integer("the number of a group");
+    for (FileNumber left = text_count("names"); left > 0; --left) {
+      const auto integer = [&](std::string_view meaning) { return source_.integer(word(meaning), meaning); };
+      FileNumber dimension = -1, number = integer("the dimension of a group");
+      if (!trimmed(rest_).starts_with('"'))  // version 2.0 has none
+        dimension = std::exchange(number, integer("the number of a group"));
       taken(rest_, '"');
       const std::size_t end = rest_.find('"');
       if (end == rest_.npos)
         source_.refuse({"group ", std::to_string(number), " has no name between quotes: give it one."});
-      names_[{dimension, number}] = std::string(trimmed(taken(rest_, '"')));
+      const std::string name(trimmed(taken(rest_, '"')));
+      for (FileNumber any = 0; any < 4; ++any)
+        if (dimension == any || dimension == -1) names_[{any, number}] = name;
     }
   }
 
-  /// The physical groups of each entity.
-  void entities() {
+  /// The physical groups of each entity, and the entity that one of a partitioned mesh is a piece of.
+  void entities(bool of_partitions) {
+    if (of_partitions) {
+      size("the count of partitions");
+      for (FileNumber ghosts = count("ghost entities"); ghosts > 0; --ghosts)
+        integer("a ghost entity"), integer("the partition of a ghost entity");
+    }
     std::array<FileNumber, 4> counts;
     for (FileNumber& of_dimension : counts) of_dimension = count("entities");
     for (const FileNumber dimension : {0, 1, 2, 3})
       for (FileNumber left = counts[static_cast<std::size_t>(dimension)]; left > 0; --left) {
         const FileNumber entity = integer("the number of an entity");
-        for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) number("a bound of an entity");
+        if (of_partitions) {
+          const FileNumber dimension_of_whole = integer("the dimension of a whole entity"),
+                           whole = integer("the number of a whole entity");
+          if (dimension_of_whole == dimension) wholes_[{dimension, entity}] = whole;
+          for (FileNumber parts = count("partitions"); parts > 0; --parts) integer("a partition");
+        }
+        for (int i = 0; i < (dimension == 0 && version_ == 41 ? 3 : 6); ++i) number("a bound of an entity");
         for (FileNumber groups = count("groups"); groups > 0; --groups)
           physicals_[{dimension, entity}].push_back(
-              std::abs(tag("the number of a group", -number_limit)));  // negative: turned over
+              std::abs(signed_tag("the number of a group")));  // negative: turned over
         if (dimension > 0)
           for (FileNumber bounds = count("bounds"); bounds > 0; --bounds) integer("a bounding entity");
       }
@@ -142,7 +233,7 @@ class GmshReader {
     FileNumber blocks = count("blocks");
     const FileNumber announced = count("nodes");
     const std::size_t before = raw_.nodes.size();
-    for (int i = 0; i < 2; ++i) integer("a number of a node");
+    for (int i = 0; i < 2; ++i) size("a number of a node");
     for (; blocks > 0; --blocks) {
       const FileNumber dimension = integer("the dimension of a block");
       integer("the entity of a block");
@@ -158,10 +249,30 @@ class GmshReader {
     }
     expect(announced, static_cast<FileNumber>(raw_.nodes.size() - before), "nodes");
   }
-  void nodes_of_2() {
-    for (FileNumber left = count("nodes"); left > 0; --left) {
+  void nodes_of_40() {
+    FileNumber blocks = count("blocks");
+    const FileNumber announced = count("nodes");
+    const std::size_t before = raw_.nodes.size();
+    for (; blocks > 0; --blocks) {
+      integer("the entity of a block");
+      const FileNumber dimension = integer("the dimension of a block");
+      const FileNumber parameters =
+          integer("whether the nodes are parametric,") != 0 && (dimension == 1 || dimension == 2) ? dimension : 0;
+      for (FileNumber left = count("nodes"); left > 0; --left) {
+        const FileNumber number_of_node = tag("the number of a node");
+        raw_.nodes.push_back({number_of_node, position(), source_.line()});
+        for (FileNumber i = 0; i < parameters; ++i) number("a parameter");
+      }
+    }
+    expect(announced, static_cast<FileNumber>(raw_.nodes.size() - before), "nodes");
+  }
+  void nodes_of_2(bool parametric) {
+    FileNumber left = text_count("nodes");
+    if (is_binary_) begin_bytes();
+    for (; left > 0; --left) {
       const FileNumber number = tag("the number of a node");
       raw_.nodes.push_back({number, position(), source_.line()});
+      if (parametric) rest_ = {};  // its entity and parameters
     }
   }
   Eigen::Vector3d position() {
@@ -172,10 +283,12 @@ class GmshReader {
   void elements() {
     FileNumber blocks = count("blocks"), read = 0;
     const FileNumber announced = count("elements");
-    for (int i = 0; i < 2; ++i) integer("a number of an element");
+    if (version_ == 41)
+      for (int i = 0; i < 2; ++i) size("a number of an element");
     for (; blocks > 0; --blocks) {
-      integer("the dimension of a block");
-      const FileNumber entity = integer("the entity of a block"), type = integer("the type of elements");
+      FileNumber dimension = integer("the dimension of a block"), entity = integer("the entity of a block");
+      if (version_ == 40) std::swap(dimension, entity);
+      const FileNumber type = integer("the type of elements");
       for (FileNumber left = count("elements"); left > 0; --left, ++read) {
         const FileNumber number = tag("the number of an element");
         element(number, type, entity, 0);
@@ -184,17 +297,35 @@ class GmshReader {
     expect(announced, read, "elements");
   }
   void elements_of_2() {
-    for (FileNumber left = count("elements"); left > 0; --left) {
+    for (FileNumber left = text_count("elements"); left > 0; --left) {
       const FileNumber number = tag("the number of an element"), type = integer("the type of the element");
-      FileNumber physical = 0, entity = 0;
-      const FileNumber tags = count("tags");
-      for (FileNumber i = 0; i < tags; ++i) {
-        const FileNumber value = tag("a tag", -number_limit);
-        if (i == 0) physical = std::abs(value);  // negative: turned over
-        if (i == 1) entity = value;
-      }
-      element(number, type, entity, physical);
+      tagged_element(number, type, count("tags"));
     }
+  }
+  /// Blocks of elements of one type, with as many tags.
+  void binary_elements_of_2() {
+    FileNumber left = text_count("elements");
+    begin_bytes();
+    while (left > 0) {
+      const FileNumber type = integer("the type of elements"),
+                       in_block = checked_count(integer("the count of elements"), "elements"),
+                       tags = checked_count(integer("the count of tags"), "tags");
+      if (in_block > left)
+        source_.refuse({"a block announces ", std::to_string(in_block), " elements, and the section has ",
+                        std::to_string(left), " left: save the file from gmsh again."});
+      for (FileNumber next = in_block; next > 0; --next) tagged_element(tag("the number of an element"), type, tags);
+      left -= in_block;
+    }
+  }
+  /// The first tag is the physical group, the second the entity; partitions follow.
+  void tagged_element(FileNumber number, FileNumber type, FileNumber tags) {
+    FileNumber physical = 0, entity = 0;
+    for (FileNumber i = 0; i < tags; ++i) {
+      const FileNumber value = signed_tag("a tag");
+      if (i == 0) physical = std::abs(value);  // negative: turned over
+      if (i == 1) entity = value;
+    }
+    element(number, type, entity, physical);
   }
 
   /// An element whose corners come next; `physical` is 0 if it has none of its own.
@@ -261,13 +392,15 @@ class GmshReader {
       raw_.groups.back().push_back(static_cast<std::uint32_t>(part->second.first));
       if (dimension < 3) group.node_sets.push_back(part->second.second);
     };
-    const auto physicals = physicals_.find({dimension, entity});
-    if (physical != 0)
-      join(physical_parts_, physical);
-    else if (physicals != physicals_.end())
-      for (const FileNumber number : ascending(physicals->second)) join(physical_parts_, number);
-    else
-      join(entity_parts_, entity);
+    const auto whole = wholes_.find({dimension, entity});
+    const FileNumber named = whole == wholes_.end() ? entity : whole->second;
+    std::vector<FileNumber> physicals;
+    for (const FileNumber piece : {entity, named})
+      if (const auto known = physicals_.find({dimension, piece}); known != physicals_.end())
+        physicals.insert(physicals.end(), known->second.begin(), known->second.end());
+    if (physical != 0) physicals = {physical};
+    for (const FileNumber number : ascending(std::move(physicals))) join(physical_parts_, number);
+    if (raw_.groups.back().empty()) join(entity_parts_, named);
     return group;
   }
   /// Version 2 writes an element of an entity in several physical groups once for each: the copies become one.
@@ -318,6 +451,7 @@ class GmshReader {
 
   std::map<Entity, std::string> names_ = {};
   std::map<Entity, std::vector<FileNumber>> physicals_ = {};
+  std::map<Entity, FileNumber> wholes_ = {};  ///< of the entities of a partitioned mesh: the entity that was cut
   std::map<std::array<FileNumber, 3>, Group> groups_ = {};
   /// By dimension and number: places among the parts and the sets of nodes.
   using Parts = std::array<std::map<FileNumber, std::pair<std::size_t, std::size_t>>, 4>;
@@ -328,18 +462,21 @@ class GmshReader {
   std::string_view rest_ = {};
   RawMesh raw_ = {};
   Skipped skipped_ = {}, ignored_ = {};
-  int version_ = 0;
+  int version_ = 0;  ///< 2, 40 or 41
+  bool is_binary_ = false, is_swapped_ = false, has_elements_ = false;
+  FileNumber size_bytes_ = 8;  ///< of a size_t in the file
 };
 
 }  // namespace detail
 
-/// The mesh of a gmsh file (.msh), ASCII of version 2.1, 2.2 or 4.1. Physical groups of volumes and surfaces are parts;
-/// groups of surfaces, lines and points are also sets of nodes. Surface elements on solids, lines and points are only
-/// sets of nodes. `name` is the file in messages. Errors: binary or another version; elements of higher order;
+/// The mesh of a gmsh file (.msh) of version 2, 2.1, 2.2, 4.0 or 4.1 in ASCII, or 2 and 4.1 in binary of either byte
+/// order. Physical groups of volumes and surfaces are parts, of a partitioned mesh too; groups of surfaces, lines and
+/// points are also sets of nodes. Surface elements on solids, lines and points are only sets of nodes. `name` is the
+/// file in messages, whose lines are those between the bytes too. Errors: another version; elements of higher order;
 /// text in the place of a number; a number given twice; a node that is not there; an incomplete file.
 inline Deck read_gmsh(std::string_view text, const std::string& name) {
-  return detail::within_memory(name, [&] { return detail::GmshReader(detail::Source(text, name)).read(); });
+  return detail::within_memory(name, [&] { return detail::GmshReader(detail::Source::binary(text, name)).read(); });
 }
-inline Deck read_gmsh(const std::string& path) { return read_gmsh(detail::content_of_file(path), path); }
+inline Deck read_gmsh(const std::string& path) { return read_gmsh(detail::content_of_file(path, true), path); }
 
 }  // namespace strike

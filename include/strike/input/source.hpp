@@ -40,8 +40,9 @@ namespace detail {
 /// Upper bound of the numbers in a file, itself not allowed.
 inline constexpr FileNumber number_limit = FileNumber(1) << 40;
 
-/// The content of a file or a pipe. Errors: it cannot be read; it is a device, is binary, or does not fit in memory.
-inline std::string content_of_file(const std::string& path) {
+/// The content of a file or a pipe. Errors: it cannot be read; it is a device or does not fit in memory; it is binary,
+/// unless it may be.
+inline std::string content_of_file(const std::string& path, bool may_be_binary = false) {
   const auto refuse = [&](std::string_view why) { throw Error(joined({"strike: the file '", path, "' ", why})); };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) refuse("cannot be opened for reading: check its name and folder.");
@@ -51,7 +52,7 @@ inline std::string content_of_file(const std::string& path) {
     std::array<char, 1 << 16> buffer;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
       const std::string_view read(buffer.data(), count);
-      if (read.find('\0') != read.npos) refuse("is binary: save it as text.");
+      if (!may_be_binary && read.find('\0') != read.npos) refuse("is binary: save it as text.");
       content += read;
     }
   } catch (const std::bad_alloc&) {
@@ -171,6 +172,12 @@ class Source {
 
   /// Error: the text holds a byte 0.
   Source(std::string_view text, std::string name) : Source(text, std::move(name), {}) {}
+  /// A text of lines and of bytes between them. `expect_text` refuses one of bytes.
+  static Source binary(std::string_view text, std::string name) {
+    Source source({}, std::move(name));
+    source.begin(text, true);
+    return source;
+  }
   /// `options.folder` is that of included files; without it there are none.
   Source(std::string_view text, std::string name, ReadOptions options) : options_(std::move(options)) {
     if (!options_.folder.empty()) root_ = canonical(options_.folder);
@@ -190,6 +197,17 @@ class Source {
     ++line_;
     return true;
   }
+  /// The next bytes, fewer at the end of the text. Lines count the ends of lines among them.
+  std::string_view bytes(std::size_t count) {
+    const std::string_view read = current_.rest.substr(0, count);
+    current_.rest.remove_prefix(read.size());
+    line_ += static_cast<std::uint32_t>(std::count(read.begin(), read.end(), '\n'));
+    return read;
+  }
+  /// How many bytes are left.
+  std::size_t bytes_left() const { return current_.rest.size(); }
+  /// Error: what is left holds a byte 0.
+  void expect_text() const { expect_text(current_.rest, line_); }
   /// The first character of the next line; '\0' at the end of the text, or of the included file.
   char peek() const { return current_.rest.empty() ? '\0' : current_.rest.front(); }
   /// True if the next line, after blanks, starts with the text.
@@ -297,16 +315,20 @@ class Source {
     std::uint32_t lines;
   };
 
-  void begin(std::string_view text) {
+  void begin(std::string_view text, bool may_be_binary = false) {
     current_.rest = text;
     current_.end_of_line = text.find('\n') < text.npos ? '\n' : '\r';
     if (text.starts_with("\xEF\xBB\xBF")) current_.rest.remove_prefix(3);
     size_ += text.size();
-    if (const std::size_t zero = text.find('\0'); zero != text.npos) {
-      const auto lines = std::count(text.begin(), text.begin() + std::ptrdiff_t(zero), current_.end_of_line);
-      throw Error(joined({"strike: the file '", names_[current_.name], "', line ", std::to_string(1 + lines),
-                          ": a byte is 0, as in binary files and UTF-16: save the file as text in ASCII or UTF-8."}));
-    }
+    if (!may_be_binary) expect_text(text, 0);
+  }
+  void expect_text(std::string_view text, std::uint32_t lines_before) const {
+    const std::size_t zero = text.find('\0');
+    if (zero == text.npos) return;
+    const auto lines = std::count(text.begin(), text.begin() + std::ptrdiff_t(zero), current_.end_of_line);
+    throw Error(
+        joined({"strike: the file '", names_[current_.name], "', line ", std::to_string(1 + lines_before + lines),
+                ": a byte is 0, as in binary files and UTF-16: save the file as text in ASCII or UTF-8."}));
   }
   Place place_of(std::uint32_t line) const {
     const auto after = std::lower_bound(places_.begin(), places_.end(), line,
