@@ -72,9 +72,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ++readers;
   };
   feed("gmsh", [](auto... source) { return strike::read_gmsh(source...); });
-  feed("abaqus", [](auto... source) { return strike::read_abaqus(source...); });
   static const char* const decks = std::getenv("DECKS");  // the folder of included files; none without it
   const strike::ReadOptions options{.folder = decks ? decks : "", .leave_out_elements = true};
+  feed("abaqus", [&](auto... source) { return strike::read_abaqus(source..., options); });
   feed("dyna", [&](auto... source) { return strike::read_dyna(source..., options); });
   expect(readers > 0);
   return 0;

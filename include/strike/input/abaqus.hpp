@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include <strike/input/abaqus/file.hpp>
+#include <strike/input/abaqus/generate.hpp>
+#include <strike/input/abaqus/model.hpp>
 #include <strike/input/deck.hpp>
 #include <strike/input/raw_mesh.hpp>
 #include <strike/input/source.hpp>
@@ -19,204 +22,169 @@
 namespace strike {
 namespace detail {
 
-/// Keyword lines `*NAME, PARAMETER=VALUE` and data lines of fields between commas (Abaqus Analysis User's Guide, "Input
-/// syntax rules").
+/// The mesh of the keywords that describe one (Abaqus Analysis User's Guide, "Input syntax rules", "Assembly
+/// definition").
 class AbaqusReader {
  public:
-  explicit AbaqusReader(Source source) : source_(std::move(source)), copies_(source_) {}
+  AbaqusReader(Source source, bool leave_out_elements)
+      : file_(std::move(source)), copies_(file_.source()), leave_out_elements_(leave_out_elements) {}
 
   Deck read() {
     bool any = false;
-    while (skip_data()) any = true, keyword();
-    if (!any) source_.refuse({"the file has no keyword: give an Abaqus input file."});
+    while (file_.next_keyword()) any = true, keyword();
+    if (!any) file_.refuse({"the file has no keyword: give an Abaqus input file."});
     end_of_instance_before("the end of the file");
-    if (model_ != &all_) source_.refuse({"a part has no end: write *END PART after it."});
-    Deck deck = finished(std::move(all_.raw), source_).deck;
+    if (model_ != &all_) file_.refuse({"a part has no end: write *END PART after it."});
+    if (scopes_.empty() && all_.raw.elements.empty()) place_all_parts();
+    resolve_names(all_, file_, copies_);
+    expect_all_elements();
+    all_.raw.repeats_nodes = true;
+    Deck deck = finished(std::move(all_.raw), file_.source()).deck;
     deck.title = std::move(title_);
-    for (const auto& [key, part] : parts_) {
-      if (part.is_placed || part.raw.elements.empty()) continue;
-      if (deck.cell_numbers.empty())
-        source_.refuse(part.line, {"part ", shown(part.name), " has no instance, and nothing else is in the mesh: ",
-                                   "write *INSTANCE, PART=", part.name, "."});
-      deck.warnings.push_back(
-          joined({"Part ", shown(part.name), " (elements: ", std::to_string(part.raw.elements.size()),
-                  ") has no instance and was dropped: line ", std::to_string(part.line), "."}));
-    }
-    skipped_.tell(deck.warnings, " was skipped: ");
-    ignored_.tell(deck.warnings, " were ignored: ");
-    values_.tell(deck.warnings, " had no effect: ");
+    for (const auto& [key, part] : parts_)
+      if (!part.is_placed && !part.raw.elements.empty())
+        told_.push_back(joined({"Part ", shown(part.name), " (elements: ", std::to_string(part.raw.elements.size()),
+                                ") has no instance and was dropped: line ", place(part.line), "."}));
+    deck.warnings.insert(deck.warnings.end(), told_.begin(), told_.end());
+    skipped_.tell(deck.warnings, " was skipped: ", &file_.source());
+    ignored_.tell(deck.warnings, " were ignored: ", &file_.source());
+    values_.tell(deck.warnings, " had no effect: ", &file_.source());
     return deck;
   }
 
  private:
+  using File = abaqus::File;
+  using Model = abaqus::Model;
   using Shape = RawMesh::Shape;
-  using Parameters = std::map<std::string, std::string, std::less<>>;
 
-  /// A part, or everything outside of parts, with its sets by name.
-  struct Model {
-    RawMesh raw = {};
-    std::map<std::string, std::size_t> node_sets = {}, element_sets = {};
-    std::uint32_t group = nothing;  ///< of the elements that are in no instance
-    std::string name = {};
-    std::uint32_t line = 0;
-    bool is_placed = false;
-  };
   /// A copy of a part, and what the instance defines itself, translated and then turned.
   struct Instance {
     std::string name;
-    const Model* part;
+    Model* part;
     FileNumber scope;
     Eigen::Vector3d shift = Eigen::Vector3d::Zero(), centre = Eigen::Vector3d::Zero();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     Model own = {};
   };
 
-  /// The next data line, without comments. False before a keyword and at the end.
-  bool data(std::string_view& line) {
-    while (source_.peek() != '\0') {
-      const bool comment = source_.next_begins_with("**");
-      if (!comment && source_.next_begins_with("*")) return false;
-      source_.next(line);
-      if (!comment && !trimmed(line).empty()) return true;
-    }
-    return false;
-  }
-  bool skip_data() {
-    std::string_view line;
-    while (data(line)) {
-    }
-    return source_.peek() != '\0';
-  }
+  std::string place(std::uint32_t line) const { return file_.source().place(line); }
 
   void keyword() {
-    std::string_view line;
-    source_.next(line);
-    std::string whole(trimmed(line));
-    while (!whole.empty() && whole.back() == ',' && source_.next(line)) whole += trimmed(line);
-    std::string_view rest = whole;
-    const std::string name = upper(trimmed(taken(rest, ',')));
-    Parameters parameters;
-    while (!rest.empty()) {
-      std::string_view value = taken(rest, ',');
-      const std::string key = whole_parameter(upper(trimmed(taken(value, '='))));
-      value = trimmed(value);
-      if (value.size() > 1 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
-      parameters[key] = std::string(value);
-    }
-    std::string word;  // *END PART may be written *ENDPART
-    for (const char c : name)
-      if (!is_blank(c)) word += c;
-    read(word, name, parameters);
-  }
-  static constexpr std::array<std::string_view, 11> known_parameters{
-      "ELSET", "GENERATE", "INPUT", "INSTANCE", "INTERNAL", "NAME", "NSET", "PART", "SYSTEM", "TYPE", "UNSORTED"};
-  /// Abaqus takes the first letters of a parameter for it.
-  static std::string whole_parameter(std::string key) {
-    for (const std::string_view whole : known_parameters)
-      if (key.size() > 2 && whole.starts_with(key)) return std::string(whole);
-    return key;
-  }
-  void read(const std::string& word, const std::string& name, const Parameters& parameters) {
     using Names = std::initializer_list<std::string_view>;
+    const std::string& word = file_.word();
     const auto is_one_of = [&](Names names) { return std::find(names.begin(), names.end(), word) != names.end(); };
-    if (word == "*INCLUDE") source_.refuse({"*INCLUDE is not followed: put the text of that file here."});
-    if (is_one_of({"*NGEN", "*NFILL", "*NCOPY", "*NMAP", "*ELGEN", "*ELCOPY", "*IMPORT"}))
-      source_.refuse({name, " makes nodes or elements and is not read: write them out with *NODE and *ELEMENT."});
-    if (const auto input = parameters.find("INPUT");
-        input != parameters.end() && is_one_of({"*NODE", "*ELEMENT", "*NSET", "*ELSET", "*SYSTEM", "*HEADING"}))
-      source_.refuse({"INPUT=", input->second, " of ", name, " is not followed: put the lines of that file here."});
-
+    if (is_one_of({"*NMAP", "*IMPORT", "*SYMMETRICMODELGENERATION", "*SUBSTRUCTUREGENERATE"}))
+      file_.refuse({file_.name(),
+                    " changes or makes nodes or elements and is not read: write them out with *NODE and "
+                    "*ELEMENT."});
+    if (is_one_of({"*MANIFEST", "*RESTART", "*MODELCHANGE"}) && (word != "*RESTART" || file_.find("READ")))
+      file_.refuse({file_.name(), " makes another deck of this one and is not read: write the deck as it should be."});
     if (is_one_of({"*NODE", "*ELEMENT", "*NSET", "*ELSET", "*PART", "*INSTANCE"}))
-      for (const auto& [key, value] : parameters)
-        if (std::find(known_parameters.begin(), known_parameters.end(), key) == known_parameters.end())
-          values_.add(joined({key.substr(0, 40), " of ", name}), source_.line());
+      for (const auto& [key, value] : file_.parameters())
+        if (std::find(mesh_parameters.begin(), mesh_parameters.end(), key) == mesh_parameters.end())
+          values_.add(joined({key.substr(0, 40), " of ", file_.name()}), file_.line());
 
+    abaqus::Generator generate(*model_, file_, copies_);
     if (word == "*HEADING")
       heading();
     else if (word == "*NODE")
-      nodes(parameters);
+      nodes();
     else if (word == "*SYSTEM")
       system();
     else if (word == "*ELEMENT")
-      elements(parameters);
-    else if (word == "*NSET" && parameters.contains("ELSET"))
-      skipped_.add("*NSET with ELSET", source_.line());
+      elements();
+    else if (word == "*NGEN")
+      generate.nodes_between(frame_);
+    else if (word == "*NFILL")
+      generate.nodes_filled();
+    else if (word == "*NCOPY")
+      generate.nodes_copied(frame_);
+    else if (word == "*ELGEN")
+      generate.elements_repeated();
+    else if (word == "*ELCOPY")
+      generate.elements_copied();
     else if (word == "*NSET")
-      set(model_->raw.node_sets, model_->node_sets, required(parameters, "NSET", name), parameters);
+      set(true, file_.required("NSET"));
     else if (word == "*ELSET")
-      set(model_->raw.element_sets, model_->element_sets, required(parameters, "ELSET", name), parameters);
+      set(false, file_.required("ELSET"));
     else if (word == "*PART")
-      begin_part(required(parameters, "NAME", name));
+      begin_part(file_.required("NAME"));
     else if (word == "*ENDPART")
-      model_ = &all_, system_.setZero();
+      end_part();
     else if (word == "*INSTANCE")
-      begin_instance(required(parameters, "NAME", name), parameters);
+      begin_instance(file_.required("NAME"));
     else if (word == "*ENDINSTANCE")
       end_instance();
     else if (word == "*ENDASSEMBLY")
-      end_of_instance_before(name);
-    else if (word != "*ASSEMBLY")
-      skipped_.add(name.substr(0, 60), source_.line());
+      end_of_instance_before(file_.name());
+    else if (word != "*ASSEMBLY" && word != "*PREPRINT")
+      skipped_.add(file_.name().substr(0, 60), file_.line());
   }
-  const std::string& required(const Parameters& parameters, std::string_view key, std::string_view keyword) const {
-    const auto found = parameters.find(key);
-    if (found == parameters.end() || found->second.empty())
-      source_.refuse({keyword, " has no ", key, ": write ", keyword, ", ", key, "=..."});
-    return found->second;
-  }
+  static constexpr std::array<std::string_view, 11> mesh_parameters{
+      "ELSET", "GENERATE", "INPUT", "INSTANCE", "INTERNAL", "NAME", "NSET", "PART", "SYSTEM", "TYPE", "UNSORTED"};
 
   void heading() {
     std::string_view line;
-    while (data(line))
+    while (file_.raw_data(line))
       if (title_.empty()) title_ = std::string(trimmed(line));
   }
 
-  void nodes(const Parameters& parameters) {
-    if (const auto system = parameters.find("SYSTEM");
-        system != parameters.end() && !same_word(system->second, "R") && !system->second.empty())
-      source_.refuse({"the nodes have the system ", shown(system->second), ": give Cartesian coordinates."});
+  void nodes() {
+    const char system = abaqus::system_of(file_);
     RawMesh::Set* set = nullptr;
-    if (const auto name = parameters.find("NSET"); name != parameters.end())
-      set = &set_of(model_->raw.node_sets, model_->node_sets, name->second);
+    if (const std::string* const name = file_.find("NSET"))
+      set = &abaqus::set_of(model_->raw.node_sets, model_->node_sets, abaqus::shown_label(*name), file_.line());
     std::string_view line;
-    while (data(line)) {
-      const FileNumber number = source_.tag(taken(line, ','), "the number of a node");
+    while (file_.data(line)) {
+      const FileNumber number = file_.tag(taken(line, ','), "the number of a node");
       Eigen::Vector3d x = Eigen::Vector3d::Zero();
       for (Eigen::Index i = 0; i < 3; ++i) {
         const std::string_view field = trimmed(taken(line, ','));
-        if (!field.empty()) x[i] = source_.number(field, "the coordinate");
+        if (!field.empty()) x[i] = file_.number(field, "the coordinate");
       }
-      model_->raw.nodes.push_back({number, x + system_, source_.line()});
-      if (set) set->sequences.push_back({number, number, 1, source_.line()});
+      if (system != 'R') x = abaqus::cartesian(x, system);
+      model_->raw.nodes.push_back({number, frame_.placed(x), file_.line()});
+      if (set) set->sequences.push_back({number, number, 1, file_.line()});
     }
   }
 
-  /// The origin of the nodes that follow.
+  /// The system of the nodes that follow: its origin, a point of its x axis, and one of its x y plane.
   void system() {
-    system_.setZero();
+    frame_ = {};
     std::string_view line;
-    if (!data(line)) return;
-    system_ = vector(line, "a coordinate of the system");
-    if (vector(line, "a coordinate of the system").norm() > 0 || data(line))
-      source_.refuse({"the system is turned, which is not read: give the nodes in global coordinates."});
-  }
-  Eigen::Vector3d vector(std::string_view& line, std::string_view meaning) {
-    Eigen::Vector3d v = Eigen::Vector3d::Zero();
-    for (Eigen::Index i = 0; i < 3; ++i)
-      if (const std::string_view field = trimmed(taken(line, ',')); !field.empty())
-        v[i] = source_.number(field, meaning);
-    return v;
+    if (!file_.data(line)) return;
+    const auto vector = [&] { return abaqus::vector(line, file_, "a coordinate of the system"); };
+    frame_.origin = vector();
+    const bool has_axis = !trimmed(line).empty();
+    Eigen::Vector3d x = vector();
+    const bool has_plane = file_.data(line);
+    if (!has_axis || (x.isZero(0) && !has_plane)) {
+      if (has_plane) file_.refuse({"the system has a point of its plane and none of its axis: give both."});
+      return;
+    }
+    x -= frame_.origin;
+    Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    if (has_plane)
+      z = cross(x, Eigen::Vector3d(vector() - frame_.origin));
+    else
+      x[2] = 0;
+    if (!(x.norm() > 0) || !(z.norm() > 0))
+      file_.refuse({"the points of the system lie on each other or on a line: give three that do not."});
+    frame_.axes.col(0) = x / x.norm();
+    frame_.axes.col(2) = z / z.norm();
+    frame_.axes.col(1) = cross<double>(frame_.axes.col(2), frame_.axes.col(0));
+    frame_.turns = true;
   }
 
   static bool begins_with_one_of(std::string_view type, std::initializer_list<std::string_view> beginnings) {
     return std::any_of(beginnings.begin(), beginnings.end(), [&](auto b) { return type.substr(0, b.size()) == b; });
   }
-  void elements(const Parameters& parameters) {
-    const std::string type = upper(required(parameters, "TYPE", "*ELEMENT"));
+  void elements() {
+    const std::string type = upper(file_.required("TYPE"));
     RawMesh::Element element{0, {}, 0, 0, Shape::hexahedron};
     if (begins_with_one_of(type, {"C3D10", "C3D15", "C3D2", "S8", "S9", "STRI65", "SC6", "SC8", "CPS6", "CPS8"}))
-      source_.refuse({"elements of type ", shown(type),
-                      " are not read: mesh in first order with C3D8, C3D6, C3D5, C3D4, S4 or S3."});
+      file_.refuse({"elements of type ", shown(type),
+                    " are not read: mesh in first order with C3D8, C3D6, C3D5, C3D4, S4 or S3."});
     if (begins_with_one_of(type, {"C3D8"}))
       element.shape = Shape::hexahedron;
     else if (begins_with_one_of(type, {"C3D6"}))
@@ -239,82 +207,105 @@ class AbaqusReader {
     }
     element.group = model_->group;
     RawMesh::Set* set = nullptr;
-    if (const auto name = parameters.find("ELSET"); name != parameters.end())
-      set = &set_of(raw.element_sets, model_->element_sets, name->second);
+    if (const std::string* const name = file_.find("ELSET"))
+      set = &abaqus::set_of(raw.element_sets, model_->element_sets, abaqus::shown_label(*name), file_.line());
     std::string_view line;
-    while (data(line)) {
-      element.number = source_.tag(taken(line, ','), "the number of an element");
-      element.line = source_.line();
+    while (file_.data(line)) {
+      element.number = file_.tag(taken(line, ','), "the number of an element");
+      element.line = file_.line();
       for (std::size_t i = 0; i < corner_count(element.shape); ++i) {
-        if (trimmed(line).empty() && !data(line))
-          source_.refuse({"element ", std::to_string(element.number), " of type ", type, " has ", std::to_string(i),
-                          " corners of ", std::to_string(corner_count(element.shape)), ": give them all."});
-        element.corners[i] = source_.tag(taken(line, ','), "a corner");
+        if (trimmed(line).empty() && !file_.data(line))
+          file_.refuse({"element ", std::to_string(element.number), " of type ", type, " has ", std::to_string(i),
+                        " corners of ", std::to_string(corner_count(element.shape)), ": give them all."});
+        element.corners[i] = file_.tag(taken(line, ','), "a corner");
       }
       if (!trimmed(line).empty())
-        source_.refuse({"element ", std::to_string(element.number), " has too many corners for its type ", type,
-                        ": correct the line or the type."});
+        file_.refuse({"element ", std::to_string(element.number), " has too many corners for its type ", type,
+                      ": correct the line or the type."});
       raw.elements.push_back(element);
       if (set) set->sequences.push_back({element.number, element.number, 1, element.line});
     }
   }
+  /// Elements of a type that is not read; gmsh writes trusses for lines of the geometry.
   void ignore(const std::string& type) {
     std::string_view line;
     bool goes_on = false;
-    while (data(line)) {
+    std::size_t count = 0;
+    const std::uint32_t at = file_.line();
+    while (file_.data(line)) {
       const bool is_new = !goes_on;
       goes_on = trimmed(line).back() == ',';
       if (!is_new) continue;
-      model_->raw.ignored_elements.push_back(source_.tag(taken(line, ','), "the number of an element"));
-      ignored_.add("Elements of type " + type.substr(0, 40), source_.line());
+      ++count;
+      model_->raw.ignored_elements.push_back(file_.tag(taken(line, ','), "the number of an element"));
+      ignored_.add(joined({"Elements of type ", type.substr(0, 40)}), file_.line());
     }
+    const bool is_line_of_gmsh = file_.is_of_gmsh() && type == "T3D2";
+    if (count > 0 && !is_line_of_gmsh) model_->left_out.push_back({type.substr(0, 40), count, at});
+    if (const std::string* const name = file_.find("ELSET");
+        name && !model_->element_sets.contains(abaqus::label(*name)))
+      abaqus::set_of(model_->raw.element_sets, model_->element_sets, abaqus::shown_label(*name), at).is_listed =
+          false;  // others may name it
+  }
+  void expect_all_elements() const {
+    if (leave_out_elements_ || all_.left_out.empty()) return;
+    const abaqus::LeftOut& first = all_.left_out.front();
+    std::size_t count = 0;
+    for (const abaqus::LeftOut& left : all_.left_out)
+      if (left.type == first.type) count += left.count;
+    file_.refuse(first.line, {"elements of type ", first.type, " (", std::to_string(count),
+                              ") are of a kind that is not read: take them out of the deck, or leave them out with "
+                              "{.leave_out_elements = true}."});
   }
 
-  RawMesh::Set& set_of(std::vector<RawMesh::Set>& sets, std::map<std::string, std::size_t>& places,
-                       const std::string& name) {
-    const auto [place, is_new] = places.try_emplace(upper(name), sets.size());
-    if (is_new) sets.push_back({.name = name, .line = source_.line()});
-    return sets[place->second];
-  }
-  void set(std::vector<RawMesh::Set>& sets, std::map<std::string, std::size_t>& places, const std::string& name,
-           const Parameters& parameters) {
+  void set(bool of_nodes, const std::string& name) {
+    using abaqus::field;
+    auto& sets = of_nodes ? model_->raw.node_sets : model_->raw.element_sets;
+    auto& places = of_nodes ? model_->node_sets : model_->element_sets;
     FileNumber scope = 0;
     std::string prefix;
-    if (const auto instance = parameters.find("INSTANCE"); instance != parameters.end())
-      scope = scope_of(instance->second), prefix = joined({upper(instance->second), "."});
-    set_of(sets, places, name);
-    std::size_t& self = places.find(upper(name))->second;
+    if (const std::string* const instance = file_.find("INSTANCE"))
+      scope = scope_of(*instance), prefix = joined({abaqus::label(*instance), "."});
+    abaqus::set_of(sets, places, name, file_.line());
+    if (of_nodes && file_.find("UNSORTED")) model_->unsorted.insert(abaqus::label(name));
+    std::size_t& self = places.find(abaqus::label(name))->second;
+    if (of_nodes && file_.find("ELSET")) {
+      model_->nodes_of_elements.push_back(
+          {abaqus::label(name), prefix, file_.label_of("ELSET"), file_.required("ELSET"), file_.line()});
+      return;
+    }
     std::string_view line;
-    while (data(line)) {
-      const std::uint32_t at = source_.line();
-      if (parameters.contains("GENERATE")) {
-        const FileNumber first = source_.tag(taken(line, ','), "the first of a range"),
-                         last = source_.tag(taken(line, ','), "the last of a range");
-        const std::string_view step = trimmed(taken(line, ','));
+    while (file_.data(line)) {
+      const std::uint32_t at = file_.line();
+      if (file_.find("GENERATE")) {
+        const FileNumber first = file_.tag(field(line), "the first of a range"),
+                         last = file_.tag(field(line), "the last of a range");
+        const std::string_view step = field(line);
         if (first > last)
-          source_.refuse({"the range from ", std::to_string(first), " to ", std::to_string(last),
-                          " is empty: give the smaller number first."});
-        if (!trimmed(line).empty()) source_.refuse({"a range has more than three numbers: give each its own line."});
+          file_.refuse({"the range from ", std::to_string(first), " to ", std::to_string(last),
+                        " is empty: give the smaller number first."});
+        if (!trimmed(line).empty()) file_.refuse({"a range has more than three numbers: give each its own line."});
         sets[self].sequences.push_back(
-            {scope + first, scope + last, step.empty() ? 1 : source_.tag(step, "the step of a range"), at});
+            {scope + first, scope + last, step.empty() ? 1 : file_.tag(step, "the step of a range"), at});
         continue;
       }
       while (!line.empty()) {
-        std::string_view field = trimmed(taken(line, ','));
-        if (field.empty()) continue;
+        std::string_view item = field(line);
+        if (item.empty()) continue;
         FileNumber own_scope = scope;
-        if (const std::size_t dot = field.rfind('.'); dot != field.npos && to_integer(field.substr(dot + 1)))
-          if (const auto instance = scopes_.find(upper(field.substr(0, dot))); instance != scopes_.end())
-            own_scope = instance->second, field = field.substr(dot + 1);
-        if (to_integer(field)) {
-          const FileNumber number = own_scope + source_.tag(field, "a number of a set");
+        if (const std::size_t dot = item.rfind('.'); dot != item.npos && to_integer(item.substr(dot + 1)))
+          if (const auto instance = scopes_.find(abaqus::label(item.substr(0, dot))); instance != scopes_.end())
+            own_scope = instance->second, item = item.substr(dot + 1);
+        if (to_integer(item)) {
+          const FileNumber number = own_scope + file_.tag(item, "a number of a set");
           sets[self].sequences.push_back({number, number, 1, at});
           continue;
         }
-        const auto other = places.find(prefix + upper(field));
-        if (other == places.end())
-          source_.refuse({"set '", name, "' holds ", shown(field),
-                          ", which is neither a number nor a set before it: define that set first."});
+        const auto other = places.find(prefix + abaqus::label(item));
+        if (other == places.end()) {
+          model_->late.push_back({of_nodes, self, prefix, abaqus::label(item), abaqus::shown_label(item), at});
+          continue;
+        }
         if (other->second == self) continue;
         if (other->second > self) {  // that set may hold this one as it was
           sets[self].is_listed = false;
@@ -326,70 +317,89 @@ class AbaqusReader {
     }
   }
   FileNumber scope_of(const std::string& instance) const {
-    const auto found = scopes_.find(upper(instance));
+    const auto found = scopes_.find(abaqus::label(instance));
     if (found == scopes_.end())
-      source_.refuse({"instance ", shown(instance), " is not in the file: define it before its sets."});
+      file_.refuse({"instance ", shown(instance), " is not in the file: define it before its sets."});
     return found->second;
   }
 
   void begin_part(const std::string& name) {
-    if (model_ != &all_) source_.refuse({"a part begins within a part: write *END PART before it."});
+    if (model_ != &all_) file_.refuse({"a part begins within a part: write *END PART before it."});
     end_of_instance_before("a part");
-    const auto [part, is_new] = parts_.try_emplace(upper(name));
-    if (!is_new) source_.refuse({"part ", shown(name), " is there twice: give each a name of its own."});
+    const auto [part, is_new] = parts_.try_emplace(abaqus::label(name));
+    if (!is_new) file_.refuse({"part ", shown(name), " is there twice: give each a name of its own."});
     model_ = &part->second;
-    model_->name = name, model_->line = source_.line();
-    system_.setZero();
+    model_->name = name, model_->line = file_.keyword_line();
+    frame_ = {};
+  }
+  void end_part() {
+    if (model_ == &all_ || instance_) file_.refuse({"no part ends here: write *PART before it."});
+    resolve_names(*model_, file_, copies_);
+    model_ = &all_, frame_ = {};
   }
 
-  void begin_instance(const std::string& name, const Parameters& parameters) {
-    if (parameters.contains("INSTANCE"))
-      source_.refuse({"an instance of an earlier analysis is not read: give its part with PART=..."});
-    const std::string& part_name = required(parameters, "PART", "*INSTANCE");
-    end_of_instance_before("the next one");
-    if (model_ != &all_) source_.refuse({"an instance begins within a part: write *END PART before it."});
-    const auto part = parts_.find(upper(part_name));
-    if (part == parts_.end())
-      source_.refuse({"part ", shown(part_name), " is not in the file: define it before its instances."});
-    part->second.is_placed = true;
+  FileNumber new_scope(const std::string& name) {
     const FileNumber scope = RawMesh::scope * static_cast<FileNumber>(scopes_.size() + 1);
-    if (!scopes_.try_emplace(upper(name), scope).second)
-      source_.refuse({"instance ", shown(name), " is there twice: give each a name of its own."});
-    if (scopes_.size() > 1000000) source_.refuse({"there are more than a million instances: merge some."});
-
-    instance_ = Instance{.name = name, .part = &part->second, .scope = scope};
+    if (!scopes_.try_emplace(abaqus::label(name), scope).second)
+      file_.refuse({"instance ", shown(name), " is there twice: give each a name of its own."});
+    if (scopes_.size() > 1000000) file_.refuse({"there are more than a million instances: merge some."});
+    return scope;
+  }
+  void begin_instance(const std::string& name) {
+    if (file_.find("INSTANCE"))
+      file_.refuse({"an instance of an earlier analysis is not read: give its part with PART=..."});
+    const std::string part_name = file_.required("PART");
+    end_of_instance_before("the next one");
+    if (model_ != &all_) file_.refuse({"an instance begins within a part: write *END PART before it."});
+    const auto part = parts_.find(abaqus::label(part_name));
+    if (part == parts_.end())
+      file_.refuse({"part ", shown(part_name), " is not in the file: define it before its instances."});
+    instance_ = Instance{.name = name, .part = &part->second, .scope = new_scope(name)};
     std::string_view line;
-    if (data(line)) instance_->shift = vector(line, "a coordinate of the instance");
-    if (data(line)) {
-      instance_->centre = vector(line, "a coordinate of the instance");
-      const Eigen::Vector3d axis = vector(line, "a coordinate of the instance") - instance_->centre;
-      const double length = axis.norm(), angle = source_.number(taken(line, ','), "the angle") * std::numbers::pi / 180;
-      if (!(length > 0)) source_.refuse({"the axis of the instance has no length: give two different points."});
-      const Eigen::Vector3d n = axis / length;
-      for (Eigen::Index i = 0; i < 3; ++i) {  // Rodrigues' formula on the base vectors
-        const Eigen::Vector3d e = Eigen::Vector3d::Unit(i);
-        instance_->turn.col(i) = std::cos(angle) * e + std::sin(angle) * cross(n, e) + (1 - std::cos(angle)) * n[i] * n;
-      }
+    const auto vector = [&] { return abaqus::vector(line, file_, "a coordinate of the instance"); };
+    if (file_.data(line)) instance_->shift = vector();
+    if (file_.data(line)) {
+      instance_->centre = vector();
+      const Eigen::Vector3d axis = vector() - instance_->centre;
+      const double length = axis.norm(), angle = file_.number(taken(line, ','), "the angle") * std::numbers::pi / 180;
+      if (!(length > 0)) file_.refuse({"the axis of the instance has no length: give two different points."});
+      instance_->turn = abaqus::rotation(axis / length, angle);
     }
     model_ = &instance_->own;
-    system_.setZero();
+    frame_ = {};
   }
   void end_of_instance_before(std::string_view next) const {
     if (instance_)
-      source_.refuse({"instance ", shown(instance_->name), " has no end: write *END INSTANCE before ", next, "."});
+      file_.refuse({"instance ", shown(instance_->name), " has no end: write *END INSTANCE before ", next, "."});
   }
   void end_instance() {
-    if (!instance_) source_.refuse({"no instance ends here: write *INSTANCE before it."});
+    if (!instance_) file_.refuse({"no instance ends here: write *INSTANCE before it."});
+    resolve_names(instance_->own, file_, copies_);
+    place_instance();
+    model_ = &all_;
+    frame_ = {};
+  }
+  void place_instance() {
     const auto part = static_cast<std::uint32_t>(all_.raw.parts.size());
     all_.raw.parts.push_back({0, instance_->name, {}});
     all_.raw.groups.push_back({part});
-    place(instance_->part->raw), place(instance_->own.raw);
+    instance_->part->is_placed = true;
+    place(*instance_->part), place(instance_->own);
     instance_.reset();
-    model_ = &all_;
-    system_.setZero();
+  }
+  /// Parts of a file without any instance, and without a mesh outside of parts.
+  void place_all_parts() {
+    for (auto& [key, part] : parts_) {
+      if (part.raw.elements.empty()) continue;
+      instance_ = Instance{.name = part.name, .part = &part, .scope = new_scope(part.name)};
+      place_instance();
+      told_.push_back(joined(
+          {"Part ", shown(part.name), " has no instance and was placed as it is: line ", place(part.line), "."}));
+    }
   }
   /// Copies a mesh to the last part.
-  void place(const RawMesh& from) {
+  void place(const Model& model) {
+    const RawMesh& from = model.raw;
     const std::string& name = instance_->name;
     const FileNumber scope = instance_->scope;
     const bool turns = !instance_->turn.isIdentity(0);
@@ -398,7 +408,8 @@ class AbaqusReader {
     for (const auto* sets : {&from.node_sets, &from.element_sets})
       for (const RawMesh::Set& set : *sets)
         count += 4 + set.sequences.size() + set.others.size() + (name.size() + set.name.size()) / 16;
-    copies_.take(count, source_.line());
+    copies_.take(count, file_.line());
+    all_.left_out.insert(all_.left_out.end(), model.left_out.begin(), model.left_out.end());
     for (RawMesh::Node node : from.nodes) {
       node.number += scope;
       node.x += instance_->shift;
@@ -412,29 +423,33 @@ class AbaqusReader {
       to.elements.push_back(element);
     }
     for (const FileNumber number : from.ignored_elements) to.ignored_elements.push_back(number + scope);
-    const auto copy = [&](const std::vector<RawMesh::Set>& sets, std::vector<RawMesh::Set>& all, auto& places) {
+    const auto copy = [&](const std::vector<RawMesh::Set>& sets, const abaqus::SetPlaces& places,
+                          std::vector<RawMesh::Set>& all, abaqus::SetPlaces& all_places) {
       const std::size_t first = all.size();
+      for (const auto& [key, set] : places)
+        all_places.try_emplace(joined({abaqus::label(name), ".", key}), first + set);
       for (RawMesh::Set set : sets) {
         for (RawMesh::Sequence& numbers : set.sequences) numbers.first += scope, numbers.last += scope;
         for (std::size_t& other : set.others) other += first;
         set.name = joined({name, ".", set.name});
-        if (set.is_listed) places.try_emplace(upper(set.name), all.size());
         all.push_back(std::move(set));
       }
     };
-    copy(from.node_sets, to.node_sets, all_.node_sets);
-    copy(from.element_sets, to.element_sets, all_.element_sets);
+    copy(from.node_sets, model.node_sets, to.node_sets, all_.node_sets);
+    copy(from.element_sets, model.element_sets, to.element_sets, all_.element_sets);
   }
 
-  Source source_;
+  File file_;
   Model all_ = {};
   Model* model_ = &all_;
   std::map<std::string, Model> parts_ = {};
   std::map<std::string, FileNumber> scopes_ = {};
   std::optional<Instance> instance_ = {};
-  Eigen::Vector3d system_ = Eigen::Vector3d::Zero();
+  abaqus::Frame frame_ = {};
   Allowance copies_;
+  bool leave_out_elements_;
   std::string title_ = {};
+  std::vector<std::string> told_ = {};
   Skipped skipped_ = {}, ignored_ = {}, values_ = {};
 };
 
@@ -442,13 +457,19 @@ class AbaqusReader {
 
 /// The mesh of an Abaqus input file (.inp), flat or of parts and instances. Instances are parts; `*ELSET`s serve as
 /// parts too; sets within a part are called "instance.set". C3D8, C3D4, S4, S3 and their kinds (C3D8R, ...) are read,
-/// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; elements of other types are ignored with a
-/// warning, keywords that do not describe a mesh are skipped with a warning. `name` is the file in messages. Errors:
-/// `*INCLUDE` and INPUT=; keywords that make nodes or elements (`*NGEN`, `*ELGEN`, ...); solids or shells of higher
-/// order; text in the place of a number; a number given twice; a node, set, part or instance that is not there.
-inline Deck read_abaqus(std::string_view text, const std::string& name) {
-  return detail::within_memory(name, [&] { return detail::AbaqusReader(detail::Source(text, name)).read(); });
+/// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; keywords that are not read are skipped with a
+/// warning. `name` is the file in messages. Included files are read below the folder of the deck. Errors: a file that
+/// is not there, or elsewhere; keywords that change the mesh and are not read (`*NMAP`, ...); elements of other types,
+/// unless `leave_out_elements`; solids or shells of higher order; text in the place of a number; a number given
+/// twice; a node, set, part or instance that is not there.
+inline Deck read_abaqus(std::string_view text, const std::string& name, const ReadOptions& options = {}) {
+  return detail::within_memory(name, [&] {
+    return detail::AbaqusReader(detail::Source(text, name, options), options.leave_out_elements).read();
+  });
 }
-inline Deck read_abaqus(const std::string& path) { return read_abaqus(detail::content_of_file(path), path); }
+inline Deck read_abaqus(const std::string& path, ReadOptions options = {}) {
+  if (options.folder.empty()) options.folder = detail::folder_of(path);
+  return read_abaqus(detail::content_of_file(path), path, options);
+}
 
 }  // namespace strike

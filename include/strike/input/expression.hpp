@@ -20,6 +20,11 @@ struct ExpressionValue {
   bool is_whole = false;
 };
 
+/// Rules of an expression: of Fortran, where a sign binds more tightly than a power and whole numbers divide with
+/// truncation; or of Python, where -3**2 is -9, and whole numbers divide where nothing is left over, since Python 2 and
+/// 3 differ otherwise.
+enum class ExpressionRules { fortran, python };
+
 /// The reason why an expression has no value.
 struct NotEvaluated {
   std::string why;
@@ -32,7 +37,8 @@ struct NotEvaluated {
 template <class Lookup>
 class Formula {
  public:
-  Formula(std::string_view text, const Lookup& lookup) : rest_(text), lookup_(lookup) {}
+  Formula(std::string_view text, const Lookup& lookup, ExpressionRules rules = ExpressionRules::fortran)
+      : rest_(text), lookup_(lookup), is_python_(rules == ExpressionRules::python) {}
 
   /// Throws NotEvaluated.
   ExpressionValue value() {
@@ -89,14 +95,19 @@ class Formula {
     return left;
   }
   ExpressionValue product() {
-    ExpressionValue left = power();
+    const auto factor = [&] { return is_python_ ? signed_power() : power(); };
+    ExpressionValue left = factor();
     while (next() == '*' || next() == '/') {
       const bool times = take("*");
       if (!times) take("/");
-      const ExpressionValue right = power();
+      const ExpressionValue right = factor();
       const bool is_whole = left.is_whole && right.is_whole;
       if (!times && right.value == 0) fail({"it divides by 0"});
       const double result = times ? left.value * right.value : left.value / right.value;
+      if (is_python_ && is_whole && result != std::trunc(result))
+        fail(
+            {"whole numbers divide with a remainder, which Python 2 drops and 3 keeps: write one of them with a "
+             "point"});
       left = checked(is_whole ? std::trunc(result) : result, is_whole);
     }
     return left;
@@ -109,6 +120,19 @@ class Formula {
     const bool is_whole = base.is_whole && exponent.is_whole;
     const double result = std::pow(base.value, exponent.value);
     return checked(is_whole ? std::trunc(result) : result, is_whole);
+  }
+  /// A power of Python, whose sign stands before it.
+  ExpressionValue signed_power() {
+    const Level level(depth_);
+    bool minus = false;
+    while (next() == '-' || next() == '+') minus ^= take("-") || !take("+");
+    ExpressionValue result = operand();
+    if (take("**")) {
+      const ExpressionValue exponent = signed_power();
+      const bool is_whole = result.is_whole && exponent.is_whole && exponent.value >= 0;
+      result = checked(std::pow(result.value, exponent.value), is_whole);
+    }
+    return {minus ? -result.value : result.value, result.is_whole};
   }
   ExpressionValue signed_term() {
     bool minus = false;
@@ -215,6 +239,7 @@ class Formula {
 
   std::string_view rest_;
   const Lookup& lookup_;
+  bool is_python_;
   int depth_ = 0;
 };
 

@@ -90,9 +90,10 @@ class Allowance {
  public:
   explicit Allowance(const Source& source) : source_(&source) {}
 
+  bool has(std::size_t count) const { return count <= 1'000'000 + 32 * source_->size() - taken_; }
   /// Error: more nodes and elements than are left.
   void take(std::size_t count, std::uint32_t line) {
-    if (count > 1'000'000 + 32 * source_->size() - taken_)
+    if (!has(count))
       source_->refuse(line, {"instances, sets and cards name nodes and elements more often than a file of ",
                              std::to_string(source_->size()), " bytes may: take out those that repeat others."});
     taken_ += count;

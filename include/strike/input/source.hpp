@@ -210,6 +210,8 @@ class Source {
   void expect_text() const { expect_text(current_.rest, line_); }
   /// The first character of the next line; '\0' at the end of the text, or of the included file.
   char peek() const { return current_.rest.empty() ? '\0' : current_.rest.front(); }
+  /// The next line, which is next again.
+  std::string_view peek_line() const { return current_.rest.substr(0, current_.rest.find(current_.end_of_line)); }
   /// True if the next line, after blanks, starts with the text.
   bool next_begins_with(std::string_view mark) const {
     const std::size_t first = current_.rest.find_first_not_of(" \t");
