@@ -51,6 +51,30 @@ void expect_whole(const strike::DynaDeck& deck) {
   for (const auto& system : deck.coordinate_systems) expect(system.axes.isUnitary(1e-6));
   for (const auto& contact : deck.contacts) expect_nodes(std::array{contact.slave, contact.master});
 }
+void expect_whole(const strike::AbaqusDeck& deck) {
+  expect_whole(static_cast<const strike::Deck&>(deck));
+  const auto expect_nodes = [&](const auto& cards) {
+    for (const auto& card : cards) expect_below(card.nodes, deck.mesh.nodes.size());
+  };
+  const auto expect_segments = [&](const auto& cards) {
+    for (const auto& card : cards)
+      for (const auto& segment : card.segments)
+        for (const strike::Index node : segment) expect(node < deck.mesh.nodes.size());
+  };
+  expect_nodes(deck.supports), expect_nodes(deck.motions), expect_nodes(deck.velocities), expect_nodes(deck.forces);
+  expect_segments(deck.pressures);
+  for (const auto& surface : deck.surfaces) {
+    expect_nodes(std::array{surface.side});
+    expect_segments(std::array{surface.side});
+  }
+  for (const auto& contact : deck.contacts) {
+    expect_nodes(std::array{contact.slave, contact.master});
+    expect_segments(std::array{contact.slave, contact.master});
+  }
+  for (const auto& curve : deck.curves)
+    for (const auto& [time, value] : curve.points) expect(std::isfinite(time) && std::isfinite(value));
+  for (const auto& gravity : deck.gravities) expect(gravity.acceleration.allFinite());
+}
 
 template <class Reader>
 void expect_deck_or_error(Reader reader) {

@@ -24,7 +24,8 @@ TEST_CASE("abaqus: a flat deck with sets, ranges and elements over two lines") {
                    " 5, 6, 7, 8\n*element, type=C3D4,\n  elset=tip\n6, 5,6,7,9\n*ELEMENT, TYPE=S3R, ELSET=skin\n"
                    "7, 8, 9, 10\n*ELEMENT, TYPE=S4, ELSET=skin\n8, 1, 2, 2, 10\n*ELEMENT, TYPE=R3D4\n9, 1,2,3,4\n"
                    "*NSET, NSET=left, GENERATE\n1, 1000000000, 4\n*NSET, NSET=\"both of them\"\nleft, 2, \n"
-                   "*ELSET, ELSET=solids\nBOX, TIP, 9\n*MATERIAL, NAME=steel\n*ELASTIC\n2e11, .3\n*STEP\n*STEP\n");
+                   "*ELSET, ELSET=solids\nBOX, TIP, 9\n*MATERIAL, NAME=steel\n*ELASTIC\n2e11, .3\n*STEP\n*END "
+                   "STEP\n*SECTION CONTROLS\n*Section Controls\n");
   CHECK(deck.title == "two cells");
   CHECK(deck.mesh.nodes.size() == 10);
   CHECK(deck.mesh.nodes[9] == Eigen::Vector3d(0, 0, 0));
@@ -39,9 +40,8 @@ TEST_CASE("abaqus: a flat deck with sets, ranges and elements over two lines") {
   CHECK(deck.nodes("both of them") == std::vector<Index>{0, 1, 4, 8});
   CHECK(deck.warnings == std::vector<std::string>{
                              "Nodes without an element (1, the first has the number 77) were dropped.",
-                             "*MATERIAL (1) was skipped: line 34.",
-                             "*ELASTIC (1) was skipped: line 35.",
-                             "*STEP (2) was skipped: lines 37, 38.",
+                             "Material 'steel' on line 34 was not read: it has no *DENSITY.",
+                             "*SECTION CONTROLS (2) was skipped: lines 39, 40.",
                              "Elements of type R3D4 (1) were ignored: line 27.",
                          });
 }

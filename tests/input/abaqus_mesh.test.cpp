@@ -73,7 +73,7 @@ TEST_CASE("abaqus: keywords are read as the format has them") {
       "** between\n\n3, 1, 1\n4, 0, 1, 0\n*Element,typ=S4R,els=A plate\n1,1,\n2,3,\n4\n"
       "*nset,nset=My Set\nleft and low ,\n*NSET, NSET=mine\nMYSET\n*NSET, NSET=two, GENER\n1, 3, 2\n");
   CHECK(deck.nodes("left and low").size() == 4);
-  CHECK(deck.part("Aplate").quadrilaterals == Cells<4>{{0, 1, 2, 3}});
+  CHECK(deck.part("A plate").quadrilaterals == Cells<4>{{0, 1, 2, 3}});
   CHECK(deck.nodes("mine").size() == 4);
   CHECK(deck.nodes("two") == std::vector<Index>{0, 2});
 }

@@ -13,7 +13,10 @@
 
 #include <strike/input/abaqus/file.hpp>
 #include <strike/input/abaqus/generate.hpp>
+#include <strike/input/abaqus/load_cards.hpp>
+#include <strike/input/abaqus/material_cards.hpp>
 #include <strike/input/abaqus/model.hpp>
+#include <strike/input/abaqus_cards.hpp>
 #include <strike/input/deck.hpp>
 #include <strike/input/raw_mesh.hpp>
 #include <strike/input/source.hpp>
@@ -29,7 +32,7 @@ class AbaqusReader {
   AbaqusReader(Source source, bool leave_out_elements)
       : file_(std::move(source)), copies_(file_.source()), leave_out_elements_(leave_out_elements) {}
 
-  Deck read() {
+  AbaqusDeck read() {
     bool any = false;
     while (file_.next_keyword()) any = true, keyword();
     if (!any) file_.refuse({"the file has no keyword: give an Abaqus input file."});
@@ -39,7 +42,12 @@ class AbaqusReader {
     resolve_names(all_, file_, copies_);
     expect_all_elements();
     all_.raw.repeats_nodes = true;
-    Deck deck = finished(std::move(all_.raw), file_.source()).deck;
+    loads_.find_faces(all_, scopes_, copies_);
+    Finished mesh = finished(std::move(all_.raw), file_.source());
+    AbaqusDeck deck = std::move(cards_);
+    static_cast<Deck&>(deck) = std::move(mesh.deck);
+    materials_.resolve(deck, loads_.is_adiabatic());
+    loads_.resolve(deck, mesh, all_);
     deck.title = std::move(title_);
     for (const auto& [key, part] : parts_)
       if (!part.is_placed && !part.raw.elements.empty())
@@ -117,7 +125,7 @@ class AbaqusReader {
       end_instance();
     else if (word == "*ENDASSEMBLY")
       end_of_instance_before(file_.name());
-    else if (word != "*ASSEMBLY" && word != "*PREPRINT")
+    else if (word != "*ASSEMBLY" && word != "*PREPRINT" && !materials_.read(skipped_) && !loads_.read(*model_, cards_))
       skipped_.add(file_.name().substr(0, 60), file_.line());
   }
   static constexpr std::array<std::string_view, 11> mesh_parameters{
@@ -408,7 +416,19 @@ class AbaqusReader {
     for (const auto* sets : {&from.node_sets, &from.element_sets})
       for (const RawMesh::Set& set : *sets)
         count += 4 + set.sequences.size() + set.others.size() + (name.size() + set.name.size()) / 16;
+    count += 8 * (model.sections.size() + model.surfaces.size());
+    for (const abaqus::PendingSurface& surface : model.surfaces) count += 4 * surface.lines.size();
     copies_.take(count, file_.line());
+    const auto scoped = [&](const std::string& of_part) { return joined({name, ".", of_part}); };
+    for (abaqus::PendingSection section : model.sections) {
+      section.set = scoped(section.set);
+      all_.sections.push_back(std::move(section));
+    }
+    for (abaqus::PendingSurface surface : model.surfaces) {
+      surface.name = scoped(surface.name);
+      for (abaqus::SurfaceLine& line : surface.lines) line.where = scoped(line.where);
+      all_.surfaces.push_back(std::move(surface));
+    }
     all_.left_out.insert(all_.left_out.end(), model.left_out.begin(), model.left_out.end());
     for (RawMesh::Node node : from.nodes) {
       node.number += scope;
@@ -451,23 +471,26 @@ class AbaqusReader {
   std::string title_ = {};
   std::vector<std::string> told_ = {};
   Skipped skipped_ = {}, ignored_ = {}, values_ = {};
+  AbaqusDeck cards_ = {};
+  abaqus::MaterialCards materials_{file_};
+  abaqus::LoadCards loads_{file_, skipped_, values_};
 };
 
 }  // namespace detail
 
-/// The mesh of an Abaqus input file (.inp), flat or of parts and instances. Instances are parts; `*ELSET`s serve as
-/// parts too; sets within a part are called "instance.set". C3D8, C3D4, S4, S3 and their kinds (C3D8R, ...) are read,
-/// and gmsh's CPS4 and CPS3, which are plates unless they lie on solids; keywords that are not read are skipped with a
-/// warning. `name` is the file in messages. Included files are read below the folder of the deck. Errors: a file that
-/// is not there, or elsewhere; keywords that change the mesh and are not read (`*NMAP`, ...); elements of other types,
-/// unless `leave_out_elements`; solids or shells of higher order; text in the place of a number; a number given
-/// twice; a node, set, part or instance that is not there.
-inline Deck read_abaqus(std::string_view text, const std::string& name, const ReadOptions& options = {}) {
+/// The mesh and the cards of an Abaqus input file (.inp), flat or of parts and instances. Instances are parts;
+/// `*ELSET`s serve as parts too; sets within a part are called "instance.set". C3D8, C3D6, C3D5, C3D4, S4, S3
+/// and their kinds (C3D8R, ...) are read, and gmsh's CPS4 and CPS3, which are plates unless they lie on solids;
+/// keywords that are not read are skipped with a warning. `name` is the file in messages. Included files are read below
+/// the folder of the deck. Errors: a file that is not there, or elsewhere; keywords that change the mesh and are not
+/// read (`*NMAP`, ...); elements of other types, unless `leave_out_elements`; solids or shells of higher order; text in
+/// the place of a number; a number given twice; a node, set, part or instance that is not there.
+inline AbaqusDeck read_abaqus(std::string_view text, const std::string& name, const ReadOptions& options = {}) {
   return detail::within_memory(name, [&] {
     return detail::AbaqusReader(detail::Source(text, name, options), options.leave_out_elements).read();
   });
 }
-inline Deck read_abaqus(const std::string& path, ReadOptions options = {}) {
+inline AbaqusDeck read_abaqus(const std::string& path, ReadOptions options = {}) {
   if (options.folder.empty()) options.folder = detail::folder_of(path);
   return read_abaqus(detail::content_of_file(path), path, options);
 }

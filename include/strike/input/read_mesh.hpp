@@ -15,7 +15,10 @@ namespace strike {
 inline Deck read_mesh(const std::string& path, const ReadOptions& options = {}) {
   const std::string ending = detail::upper(std::string_view(path).substr(std::min(path.rfind('.'), path.size())));
   if (ending == ".MSH") return read_gmsh(path);
-  if (ending == ".INP") return read_abaqus(path, options);
+  if (ending == ".INP") {
+    AbaqusDeck deck = read_abaqus(path, options);
+    return std::move(static_cast<Deck&>(deck));
+  }
   if (ending == ".K" || ending == ".KEY" || ending == ".DYN") {
     DynaDeck deck = read_dyna(path, options);
     return std::move(static_cast<Deck&>(deck));

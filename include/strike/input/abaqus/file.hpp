@@ -24,14 +24,11 @@ inline std::string label(std::string_view text) {
     if (!is_blank(c)) result += upper(c);
   return result;
 }
-/// The same as it is written.
+/// The same as it is written, without quotes.
 inline std::string shown_label(std::string_view text) {
   text = trimmed(text);
-  if (text.size() > 1 && text.front() == '"' && text.back() == '"') return std::string(text.substr(1, text.size() - 2));
-  std::string result;
-  for (const char c : text)
-    if (!is_blank(c)) result += c;
-  return result;
+  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+  return std::string(text);
 }
 /// The next field of a line; commas between quotes are part of it.
 inline std::string_view field(std::string_view& line) {

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -10,6 +12,7 @@
 
 #include <strike/ascending.hpp>
 #include <strike/input/abaqus/file.hpp>
+#include <strike/input/abaqus_cards.hpp>
 #include <strike/input/raw_mesh.hpp>
 
 namespace strike::detail::abaqus {
@@ -36,6 +39,25 @@ struct LeftOut {
   std::uint32_t line;
 };
 
+/// *SOLID SECTION or *SHELL SECTION.
+struct PendingSection {
+  std::string set, material;
+  SectionCard section;
+  std::uint32_t line;
+};
+/// A line of *SURFACE: elements and their face, or nodes.
+struct SurfaceLine {
+  std::string where, face;
+  std::uint32_t line;
+};
+struct PendingSurface {
+  std::string name;
+  bool is_of_nodes;
+  std::vector<SurfaceLine> lines;
+  std::vector<std::array<FileNumber, 4>> segments;  ///< by the numbers of the file
+  std::uint32_t line;
+};
+
 /// A part, or everything outside of parts, with its sets by name.
 struct Model {
   RawMesh raw = {};
@@ -44,6 +66,8 @@ struct Model {
   std::vector<NodesOfElements> nodes_of_elements = {};
   std::set<std::string> unsorted = {};  ///< sets of nodes in an order of their own
   std::vector<LeftOut> left_out = {};
+  std::vector<PendingSection> sections = {};
+  std::vector<PendingSurface> surfaces = {};
   std::uint32_t group = nothing;  ///< of the elements that are in no instance
   std::string name = {};
   std::uint32_t line = 0;
