@@ -110,12 +110,21 @@ TEST_CASE("conformance: wrong numbers of loads and supports are refused") {
   refuses(PrescribedDisplacement{{0, 1, 0}, {6}, Constant{.01}});
   refuses(Support{foot, {unit(Axis::z)}, {unit(Axis::x)}});
   refuses(Symmetry{{0, 2, 0}, {8}});
-  refuses(RigidBody{above, Inertia{.mass = 1e-3, .centre = {1, 2, 3}}});
-  refuses(RigidBody{above, Inertia{}, HeldBody{{unit(Axis::x)}, {{0, 2, 0}}}});
-  refuses(RigidBody{above, Inertia{}, PinnedBody{{1, 2, 3}}});
-  refuses(RigidBody{above, Inertia{}, BodyVelocity{{1, 2, 0}, Constant{.01}}, BodySpin{Axis::z, Constant{.01}}});
-  refuses(RigidBody{above, Inertia{}, BodyDisplacement{{1, 2, 0}, Constant{.01}}, BodyAngle{Axis::z, Constant{.01}}});
   refuses(InitialVelocity{{1e-3, 2e-3, 3e-3}, Spin{{.01, .02, .03}, {1, 2, 3}}, above});
+  const auto refuses_body = [&](const auto& body) {
+    testing::refuses_wrong_numbers(body, tried, [](const auto& changed) {
+      return goes_on(
+          Explicit{Scene{blocks.nodes, Part{Hex8{}, rubber, blocks.hexahedra}, changed}, coarse, in<double>});
+    });
+  };
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Index i : above) middle += .25 * blocks.nodes[i];
+  refuses_body(RigidBody{above, Inertia{.mass = 1e-3, .centre = middle}});
+  refuses_body(RigidBody{above, Inertia{}, HeldBody{{unit(Axis::x)}, {{0, 2, 0}}}});
+  refuses_body(RigidBody{above, Inertia{}, PinnedBody{{1, 2, 3}}});
+  refuses_body(RigidBody{above, Inertia{}, BodyVelocity{{1, 2, 0}, Constant{.01}}, BodySpin{Axis::z, Constant{.01}}});
+  refuses_body(
+      RigidBody{above, Inertia{}, BodyDisplacement{{1, 2, 0}, Constant{.01}}, BodyAngle{Axis::z, Constant{.01}}});
   testing::refuses_wrong_arguments("Curve", {{"time", 1}, {"value", 2}, {"time", 3}, {"value", 4}}, tried,
                                    [](const Numbers& x) {
                                      return std::isfinite(Curve{{{x[0], x[1]}, {x[2], x[3]}}}(2));

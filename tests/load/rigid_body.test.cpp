@@ -129,17 +129,17 @@ TEST_CASE("rigid body: a pendulum that swings wide has the period of the ellipti
   const Vector3d down(std::cos(start), std::sin(start), 0);
   Explicit run{Scene{brick.nodes, RigidBody{brick, density, PinnedBody{pivot}}, BodyForce{g * down}},
                ExplicitOptions{.largest_step = 1e-3}};
-  double before = 0, at_rest = 0;
+  double before = 0, turned_back = 0;
   int returns = 0;
   while (returns < 2) {
     run.step();
     const double now = run.nodes().bodies()[0].angular_velocity().z();
-    if (before * now < 0) at_rest = run.time() - run.dt() / 2 - run.dt() * now / (now - before), ++returns;
+    if (before * now < 0) turned_back = run.time() - run.dt() / 2 - run.dt() * now / (now - before), ++returns;
     before = now;
     CHECK((run.nodes().bodies()[0].centre() - pivot).norm() == 0);
   }
   const double period = 4 * std::sqrt(about / (own.mass * g * 0.4)) * std::comp_ellint_1(std::sin(start / 2));
-  CHECK(at_rest == Approx(period).epsilon(1e-6));  // second order in w dt = 3e-3
+  CHECK(turned_back == Approx(period).epsilon(1e-6));  // second order in w dt = 3e-3
   CHECK(std::abs(run.energy().error()) < 1e-6);
 }
 

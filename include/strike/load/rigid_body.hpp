@@ -94,14 +94,18 @@ template <class History>
 struct BodyVelocity : detail::BodyGuide<History, detail::FromVelocity, false> {
   using detail::BodyGuide<History, detail::FromVelocity, false>::BodyGuide;
 };
-template <class D, class History>
-BodyVelocity(D, History) -> BodyVelocity<History>;
+template <class History>
+BodyVelocity(Eigen::Vector3d, History) -> BodyVelocity<History>;
+template <class History>
+BodyVelocity(Axis, History) -> BodyVelocity<History>;
 template <class History>
 struct BodyDisplacement : detail::BodyGuide<History, detail::FromDisplacement, false> {
   using detail::BodyGuide<History, detail::FromDisplacement, false>::BodyGuide;
 };
-template <class D, class History>
-BodyDisplacement(D, History) -> BodyDisplacement<History>;
+template <class History>
+BodyDisplacement(Eigen::Vector3d, History) -> BodyDisplacement<History>;
+template <class History>
+BodyDisplacement(Axis, History) -> BodyDisplacement<History>;
 
 /// A rigid body turns about an axis that keeps its direction with a history of angular velocity, or of an angle [rad];
 /// hold it about the other two where they shall not turn.
@@ -109,14 +113,18 @@ template <class History>
 struct BodySpin : detail::BodyGuide<History, detail::FromVelocity, true> {
   using detail::BodyGuide<History, detail::FromVelocity, true>::BodyGuide;
 };
-template <class D, class History>
-BodySpin(D, History) -> BodySpin<History>;
+template <class History>
+BodySpin(Eigen::Vector3d, History) -> BodySpin<History>;
+template <class History>
+BodySpin(Axis, History) -> BodySpin<History>;
 template <class History>
 struct BodyAngle : detail::BodyGuide<History, detail::FromDisplacement, true> {
   using detail::BodyGuide<History, detail::FromDisplacement, true>::BodyGuide;
 };
-template <class D, class History>
-BodyAngle(D, History) -> BodyAngle<History>;
+template <class History>
+BodyAngle(Eigen::Vector3d, History) -> BodyAngle<History>;
+template <class History>
+BodyAngle(Axis, History) -> BodyAngle<History>;
 
 /// Nodes that move as one body: those of cells of a density, which carry no stress and take no time; or any nodes, with
 /// an inertia of their own beside the masses that they have from elements. Elements may share them, loads and contacts
