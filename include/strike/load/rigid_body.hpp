@@ -192,7 +192,7 @@ class RigidBody {
 
   /// Takes the motion of its nodes at the start.
   template <class N>
-  void start_body(N& nodes) const {
+  void start_body(N& nodes) {
     RigidMotion& body = nodes.bodies()[number_];
     Inertia even;
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), of_momentum = momentum;
@@ -206,6 +206,7 @@ class RigidBody {
     RigidMotion fitted({}, {}, even);
     fitted.push(momentum, of_momentum);
     body.set(fitted.velocity_at(body.centre()), fitted.angular_velocity());
+    momentum_ = body.momentum();
     for (const Index i : nodes_)
       if (const Eigen::Vector3d v = nodes.v(i), rigid = body.velocity_at(nodes.x(i).template cast<double>());
           (v - rigid).norm() > 1e-5 * fastest)
@@ -252,6 +253,10 @@ class RigidBody {
   void move_body(N& nodes, const Step& step, Ledger& ledger) {
     RigidMotion& body = nodes.bodies()[number_];
     book_guided(body, step, ledger);
+    if (body.is_pinned()) {  // what it takes beside the forces is the change of the momentum
+      force_ += (body.momentum() - momentum_) / step.kick();
+      momentum_ = body.momentum();
+    }
     const Eigen::Vector3d before = body.angular_momentum();
     ledger.external.book_impulse(0, 2 * body.move(step.dt, rates_));
     moment_ += (body.angular_momentum() - before) / step.kick();
@@ -260,7 +265,7 @@ class RigidBody {
   template <class Archive>
   void serialize(Archive& archive) {
     archive.same(nodes_);
-    archive(force_, moment_);
+    archive(force_, moment_, momentum_);
   }
 
  private:
@@ -391,7 +396,8 @@ class RigidBody {
   std::vector<Row> rows_, turns_;                  // of the directions and axes of the motion
   std::vector<double> velocities_, rates_;         // along and about them in this step
   Eigen::Vector3d velocity_before_, spin_before_;  // half a step ago
-  Eigen::Vector3d force_ = Eigen::Vector3d::Zero(), moment_ = force_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero(), moment_ = Eigen::Vector3d::Zero(),
+                  momentum_ = Eigen::Vector3d::Zero();  // of what is pinned, half a step ago
 };
 
 template <class... Guides>

@@ -27,7 +27,7 @@ class RigidMotion {
   /// does not move, has its moments about that.
   RigidMotion(std::vector<Index> nodes, std::span<const Eigen::Vector3d> places, const Inertia& inertia,
               const std::optional<Eigen::Vector3d>& pivot = {})
-      : nodes_(std::move(nodes)), mass_(inertia.mass), centre_(pivot.value_or(inertia.centre)) {
+      : nodes_(std::move(nodes)), mass_(inertia.mass), is_pinned_(pivot), centre_(pivot.value_or(inertia.centre)) {
     for (const Eigen::Vector3d& x : places) places_.push_back(x - centre_);
     to_mass_ = inertia.centre - centre_;
     inertia_ = not_singular(inertia.moment + mass_ * Inertia::about(to_mass_), mass_);
@@ -39,6 +39,7 @@ class RigidMotion {
   /// Its centre of mass, or the point about which it turns.
   const Eigen::Vector3d& centre() const { return centre_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
+  bool is_pinned() const { return is_pinned_; }
   Eigen::Vector3d momentum() const {
     return mass_ * (velocity_ + cross(angular_velocity(), times<double>(rotation_, to_mass_)));
   }
@@ -257,6 +258,7 @@ class RigidMotion {
   std::vector<Eigen::Vector3d> places_;                // of the nodes, in the axes of the body, from its centre
   Eigen::Vector3d to_mass_ = Eigen::Vector3d::Zero();  // from the centre to that of mass, in the axes of the body
   double mass_ = 0;
+  bool is_pinned_ = false;
   std::vector<Eigen::Vector3d> directions_, axes_;
   SymmetricTensor<double> inertia_, inverse_;  // in the axes of the body, those of the scene at the start
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
