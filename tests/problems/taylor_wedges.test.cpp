@@ -11,34 +11,38 @@ using namespace strike;
 
 namespace {
 
-/// X3D and DYNA3D (Brockman and Held 1991): 21.47 mm, 7.081 and 7.034 mm; the limit of fine meshes is 21.42 mm and 7.21
-/// to 7.23 mm (docs/verification.md). A mesh as coarse as theirs lies between.
-template <class E>
-void strikes(const Mesh& mesh, const E& element, double length, double radius) {
+struct Struck {
+  double length, radius;  // [mm]
+};
+Struck struck(const Mesh& mesh) {
   check(mesh);
   const auto& data = taylor::mm_ms_kg;
-  auto run = taylor::bar(data, mesh, in<Pack<double>>, element);
+  auto run = taylor::bar(data, mesh, in<Pack<double>>, Hex8{});
   run.until(data.end);
-  CAPTURE(run.steps(), taylor::plastic_strain(run));
-  CHECK(taylor::length(run) == Approx(21.47).margin(0.08));
-  CHECK(taylor::radius(run) >= 7.03);
-  CHECK(taylor::radius(run) <= 7.23);
-  CHECK(taylor::length(run) == Approx(length).epsilon(1e-4));
-  CHECK(taylor::radius(run) == Approx(radius).epsilon(1e-4));
   CHECK(std::abs(run.energy().error()) < 1e-3);
+  return {taylor::length(run), taylor::radius(run)};
 }
-const Mesh bar = cylinder({.radius = 3.2, .length = 32.4, .cells = 3, .layers = 50});
 
 }  // namespace
 
 TEST_CASE("Taylor bar in rings about its axis, of which the innermost are wedges") {
-  strikes(taylor::bar_of_rings(3.2, 32.4, 5, 6, 50), Hex8{}, 21.4742, 7.1471);
+  // X3D and DYNA3D (Brockman and Held 1991): 21.47 mm, 7.081 and 7.034 mm; the limit of fine meshes is 21.42 mm
+  // and 7.21 to 7.23 mm (docs/verification.md). A mesh as coarse as theirs lies between.
+  const auto [length, radius] = struck(taylor::bar_of_rings(3.2, 32.4, 5, 6, 50));
+  CHECK(length == Approx(21.47).margin(0.08));
+  CHECK(radius >= 7.03);
+  CHECK(radius <= 7.23);
 }
 
-TEST_CASE("Taylor bar, each of 1350 hexahedra cut into two wedges") {
-  strikes(testing::cut_into_wedges(bar), Hex8{}, 21.4811, 7.1955);
-}
-
-TEST_CASE("Taylor bar, each of 1350 hexahedra cut into six pyramids") {
-  strikes(testing::cut_into_pyramids(bar), Hex8{}, 21.4819, 7.1772);
+TEST_CASE("Taylor bar of wedges and of pyramids, cut from hexahedra, beside these") {
+  // With 3 cells and 50 layers 21.48 mm and 7.18 to 7.20 mm, in minutes.
+  const Mesh bar = cylinder({.radius = 3.2, .length = 32.4, .cells = 2, .layers = 32});
+  const auto [length, radius] = struck(bar);
+  for (const Mesh& mesh : {testing::cut_into_wedges(bar), testing::cut_into_pyramids(bar)}) {
+    const auto [cut_length, cut_radius] = struck(mesh);
+    CAPTURE(cut_length, length, cut_radius, radius);
+    WARN(cut_length << " " << length << " " << cut_radius << " " << radius);
+    CHECK(cut_length == Approx(length).epsilon(2e-3));
+    CHECK(cut_radius == Approx(radius).epsilon(2e-2));
+  }
 }

@@ -122,7 +122,8 @@ struct Elements {
     return MergedGradient<T>(merged[b], gather<T, n>(positions, blocks[b].nodes));
   }
   /// Sets the elements of block b at rest, as E::begin does.
-  auto begin(std::size_t b, const Nodal<T, E::nodes>& x, [[maybe_unused]] const NodalField<LaneOf<T>>& positions) {
+  auto begin_block(std::size_t b, const Nodal<T, E::nodes>& x,
+                   [[maybe_unused]] const NodalField<LaneOf<T>>& positions) {
     if constexpr (requires { blocks[b].state.mass_factor; } && merges)
       return element.begin(blocks[b].state, material, x, merged_in(b, positions));
     else

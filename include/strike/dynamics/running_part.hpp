@@ -233,7 +233,7 @@ class RunningPart {
       if constexpr (sees_neighbours)
         return element().begin(block.state, material(), x, is_born ? T(0.0) : elements_.in_lanes(b, cells.volumes));
       else
-        return (void)cells, elements_.begin(b, x, nodes.motion().position);
+        return (void)cells, elements_.begin_block(b, x, nodes.motion().position);
     }();
     const T mass = mass_of(given);
     T own = mass;
