@@ -57,10 +57,9 @@ class ContactBodies {
   /// Change of the velocity of node i by the forces of this step.
   Eigen::Vector3d kicked_at(Index i, const Eigen::Vector3d& x) const { return all_[of(i)].motion->kicked_at(x); }
 
-  /// The work of an impulse and one of moment on body b along the velocities that they give it, twice.
+  /// RigidMotion::response of body b.
   double response(std::size_t b, const Eigen::Vector3d& impulse, const Eigen::Vector3d& of_moment) const {
-    const RigidMotion& motion = *all_[b].motion;
-    return impulse.dot(motion.velocity_by(impulse)) + of_moment.dot(motion.spin_by(of_moment));
+    return all_[b].motion->response(impulse, of_moment);
   }
   /// An impulse on node i changes the velocities of all nodes of its body.
   void nudge(Index i, const Eigen::Vector3d& impulse, const std::vector<Eigen::Vector3d>& x,
@@ -82,8 +81,11 @@ class ContactBodies {
       const Eigen::Vector3d J = impulse(i);
       sum[of(i)] += J, of_moment[of(i)] += cross(Eigen::Vector3d(x[i] - centre(i)), J);
     }
-    for (std::size_t b = 0; b < all_.size(); ++b) nodes.bodies()[all_[b].number].push_guided(sum[b], of_moment[b]);
-    move_with_bodies(nodes);
+    for (std::size_t b = 0; b < all_.size(); ++b) {
+      RigidMotion& motion = nodes.bodies()[all_[b].number];
+      motion.push_guided(sum[b], of_moment[b]);
+      move_with(nodes, motion);
+    }
   }
 
   /// Impulses on the nodes of a pair, summed body by body.

@@ -121,11 +121,12 @@ class ContactNodes {
       Sums sum;
       for (std::size_t k = first; k < last; ++k) {
         const Index i = touched_[k];
-        Eigen::Vector3d v_before = v[i] - inverse_mass_[i] * (normal_impulse[i] + friction_impulse[i]) - kicked[i];
-        if (is_rigid(i))
-          v_before = bodies_.velocity_at(i) - kicked[i];
-        else
+        Eigen::Vector3d v_before = bodies_.has(i) ? bodies_.velocity_at(i) : v[i];
+        if (!bodies_.has(i)) {
+          v_before -= inverse_mass_[i] * (normal_impulse[i] + friction_impulse[i]);
           nodes.set_velocity(number_[i], v[i]);
+        }
+        v_before -= kicked[i];
         sum.normal_before += normal_impulse[i].dot(v_before), sum.normal_after += normal_impulse[i].dot(v[i]);
         sum.friction_before += friction_impulse[i].dot(v_before), sum.friction_after += friction_impulse[i].dot(v[i]);
       }

@@ -280,6 +280,7 @@ class PlaneContact {
         impulse += given, of_moment += cross(Eigen::Vector3d(at.x - body.centre()), given);
       }
       body.push_guided(impulse, of_moment);
+      move_with(nodes, body);
       for (const OnBody& at : touching) {
         const Eigen::Vector3d before = at.v - body.kicked_at(at.x), after = body.velocity_at(at.x);
         ledger.contact.book_impulse(-at.push * normal_.dot(before), -at.push * normal_.dot(after));
@@ -289,7 +290,6 @@ class PlaneContact {
       sum += impulse;
     }
     on_bodies_.clear();
-    move_with_bodies(nodes);
     return sum;
   }
   void settle(const RigidMotion& body, std::span<OnBody> touching) const {
@@ -306,8 +306,7 @@ class PlaneContact {
           velocity += body.velocity_by(J), spin += body.spin_by(cross(r, J));
         };
         const Eigen::Vector3d arm = cross(r, normal_);
-        const double response = normal_.dot(body.velocity_by(normal_)) + arm.dot(body.spin_by(arm)),
-                     largest = body.largest_response(r.norm());
+        const double response = body.response(normal_, arm), largest = body.largest_response(r.norm());
         if (!(response > 1e-9 * largest)) continue;  // its guides hold it
         const double before = at.push;
         at.push = std::max(0.0, at.push + (at.wanted - normal_.dot(velocity + cross(spin, r))) / response);

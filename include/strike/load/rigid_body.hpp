@@ -131,8 +131,8 @@ BodyAngle(Axis, History) -> BodyAngle<History>;
 /// act on them, an InitialVelocity sets it in motion. Guides hold or move it: HeldBody, PinnedBody, BodyVelocity,
 /// BodyDisplacement, BodySpin, BodyAngle. Errors: no nodes; a node in two bodies, or under another condition;
 /// velocities at the start that no rigid motion has; guides that exclude each other.
-///   RigidBody{Mesh{mesh.nodes, ball}, 7850}     RigidBody{nodes, Inertia{0.1, centre, moment},
-///   HeldBody{{unit(Axis::x)}}}
+///   RigidBody{Mesh{mesh.nodes, ball}, 7850}
+///   RigidBody{nodes, Inertia{0.1, centre, moment}, HeldBody{{unit(Axis::x)}}}
 template <class... Guides>
 class RigidBody {
  public:
@@ -167,7 +167,7 @@ class RigidBody {
   std::size_t number() const { return number_; }
   /// Its cells, if it has been made of some.
   const Mesh& cells() const { return cells_; }
-  /// What its guides exert on it in the last step.
+  /// The force and the moment of its guides on it in the last step.
   const Eigen::Vector3d& force() const { return force_; }
   const Eigen::Vector3d& moment() const { return moment_; }
 
@@ -245,7 +245,7 @@ class RigidBody {
     force_.setZero(), moment_.setZero();
     keep_to_guides(body, step, ledger);
     body.note_kick(velocity_before_, spin_before_);
-    detail::move_with_bodies(nodes);
+    detail::move_with(nodes, body);
   }
 
   /// After contacts have pushed it.
@@ -253,7 +253,7 @@ class RigidBody {
   void move_body(N& nodes, const Step& step, Ledger& ledger) {
     RigidMotion& body = nodes.bodies()[number_];
     book_guided(body, step, ledger);
-    if (body.is_pinned()) {  // what it takes beside the forces is the change of the momentum
+    if (body.is_pinned()) {  // the pin takes the change of the momentum too
       force_ += (body.momentum() - momentum_) / step.kick();
       momentum_ = body.momentum();
     }

@@ -39,8 +39,8 @@ double kick(N& nodes, double duration, const Execution& execution, std::vector<d
   return 0.5 * std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// x += dt v; the nodes of rigid bodies, which have moved already, go to their places, and have
-/// the velocities that brought them there.
+/// x += dt v; the nodes of rigid bodies, which have moved already, go to their places, and have the velocities that
+/// brought them there.
 template <class N, class Execution>
 void drift(N& nodes, double step, const Execution& execution) {
   using Real = std::decay_t<decltype(nodes.position()[0])>;
@@ -57,15 +57,18 @@ void drift(N& nodes, double step, const Execution& execution) {
     }
 }
 
-/// Gives the nodes of rigid bodies the velocities of the bodies where they are.
+/// Gives the nodes of a rigid body the velocities of the body where they are.
+template <class N>
+void move_with(N& nodes, const RigidMotion& body) {
+  using Number = typename N::Number;
+  for (const Index i : body.nodes()) {
+    nodes.set_velocity(i, body.velocity_at(nodes.x(i).template cast<double>()).template cast<Number>());
+    if constexpr (N::nodes_turn) nodes.set_angular_velocity(i, body.angular_velocity());
+  }
+}
 template <class N>
 void move_with_bodies(N& nodes) {
-  using Number = typename N::Number;
-  for (const RigidMotion& body : nodes.bodies())
-    for (const Index i : body.nodes()) {
-      nodes.set_velocity(i, body.velocity_at(nodes.x(i).template cast<double>()).template cast<Number>());
-      if constexpr (N::nodes_turn) nodes.set_angular_velocity(i, body.angular_velocity());
-    }
+  for (const RigidMotion& body : nodes.bodies()) move_with(nodes, body);
 }
 
 /// The kinetic energy of the velocities between two times, sum of m v.v/2.

@@ -64,6 +64,10 @@ class RigidMotion {
   Eigen::Vector3d spin_by(const Eigen::Vector3d& of_moment) const {
     return turned(inverse_, of_moment + held_back(turned(inverse_, of_moment)));
   }
+  /// The velocity that an impulse and one of moment give the points on which they act, along themselves.
+  double response(const Eigen::Vector3d& impulse, const Eigen::Vector3d& of_moment) const {
+    return impulse.dot(velocity_by(impulse)) + of_moment.dot(spin_by(of_moment));
+  }
   /// No smaller than what an impulse changes the velocity of a point at this distance from the centre [1/mass].
   double largest_response(double distance) const { return 1 / mass_ + distance * distance * trace(inverse_); }
 
@@ -102,7 +106,7 @@ class RigidMotion {
     push(impulse + along, of_moment + about);
     by_guides_ += along, moment_by_guides_ += about;
   }
-  /// What the guides have taken of impulses since this was asked.
+  /// The impulses that the guides have taken since this was asked.
   std::pair<Eigen::Vector3d, Eigen::Vector3d> take_guided() {
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     return {std::exchange(by_guides_, none), std::exchange(moment_by_guides_, none)};

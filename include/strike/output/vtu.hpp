@@ -139,6 +139,13 @@ class VtuCells {
     else
       add(cell, kind(8, true));
   }
+  /// The cells of a mesh: hexahedra, tetrahedra, quadrilaterals, particles.
+  void add(const Mesh& mesh) {
+    for (const auto& cell : mesh.hexahedra) add_hexahedron(cell);
+    for (const auto& cell : mesh.tetrahedra) add(cell, kind(4, true));
+    for (const auto& cell : mesh.quadrilaterals) add(cell, kind(4, false));
+    for (const auto& cell : mesh.particles) add(cell, kind(1, false));
+  }
   template <class Cell>
   void add(const Cell& cell, std::uint8_t kind) {
     for (const Index node : cell) {
@@ -235,10 +242,7 @@ class VtuCells {
                         " nodes, but got ", std::to_string(positions.size()), " rows of ",
                         std::to_string(positions.components()), ": give the positions of the nodes of the mesh."}));
   detail::VtuCells cells;
-  for (const auto& cell : mesh.hexahedra) cells.add_hexahedron(cell);
-  for (const auto& cell : mesh.tetrahedra) cells.add(cell, detail::VtuCells::kind(4, true));
-  for (const auto& cell : mesh.quadrilaterals) cells.add(cell, detail::VtuCells::kind(4, false));
-  for (const auto& cell : mesh.particles) cells.add(cell, detail::VtuCells::kind(1, false));
+  cells.add(mesh);
   detail::write_vtu(path, time, positions, cells, node_fields, cell_fields);
 }
 
@@ -273,14 +277,9 @@ void write_vtu(const std::string& path, const Run& run) {
   run.each_part([&](const auto&) { ++body; });
   run.each_body([&](const auto& rigid) {
     const Mesh& mesh = rigid.cells();
-    const auto add = [&](const auto& all, bool solid) {
-      for (const auto& cell : all) {
-        cells.add(cell, detail::VtuCells::kind(cell.size(), solid));
-        parts.push_back(body), stresses.push_back({}), plastic_strains.push_back(0);
-      }
-    };
-    add(mesh.hexahedra, true), add(mesh.tetrahedra, true), add(mesh.quadrilaterals, false);
-    ++body;
+    cells.add(mesh);
+    const std::size_t all = parts.size() + mesh.hexahedra.size() + mesh.tetrahedra.size() + mesh.quadrilaterals.size();
+    parts.resize(all, body++), stresses.resize(all), plastic_strains.resize(all);
   });
   const std::vector<Eigen::Vector3d> positions = run.positions(), velocities = run.velocities();
   detail::write_vtu(path, run.time(), positions, cells, {{"velocity", velocities}},
