@@ -293,7 +293,7 @@ void books_its_work(const E& element, const M& material, Shapes<E::nodes> shapes
     };
     const double coarse = error(100), fine = error(1000);
     CHECK(coarse < 1e-2);
-    // What is left is of the third power of the strains: of 0.01 over the shortest distance of two corners.
+    // The rest is of the third power of the strains: of 0.01 over the shortest distance of two corners.
     double shortest = 1;
     for (int i = 0; i < x.cols(); ++i)
       for (int j = 0; j < i; ++j)

@@ -19,21 +19,14 @@
 #include <strike/mesh/tetrahedra.hpp>
 #include <strike/mesh/transform.hpp>
 
+#include "right.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 
 using namespace strike;
+using testing::is_right;
 
 namespace {
-
-bool is_right(const Mesh& mesh) {
-  try {
-    check(mesh);
-  } catch (const Error&) {
-    return false;
-  }
-  return true;
-}
 
 /// Of all orders of the corners of a cell those that are right.
 template <std::size_t N>

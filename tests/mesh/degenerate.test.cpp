@@ -13,6 +13,7 @@
 #include <strike/mesh/tetrahedra.hpp>
 #include <strike/mesh/transform.hpp>
 
+#include "right.hpp"
 #include "support/catch.hpp"
 #include "support/cut_hexahedra.hpp"
 
@@ -20,6 +21,7 @@ using namespace strike;
 using Catch::Matchers::ContainsSubstring;
 using testing::cut_into_pyramids;
 using testing::cut_into_wedges;
+using testing::is_right;
 
 namespace {
 
@@ -28,14 +30,6 @@ Mesh skew(const std::array<Index, 3>& cells = {2, 3, 2}) {
   return transformed(box({.size = {1, 1, 1}, .cells = cells}), [](const auto& x) -> Eigen::Vector3d {
     return {x[0] + 0.6 * x[1], x[1] - 0.5 * x[2], x[2] * (2 + x[0])};
   });
-}
-bool is_right(const Mesh& mesh) {
-  try {
-    check(mesh);
-  } catch (const Error&) {
-    return false;
-  }
-  return true;
 }
 /// Of all numberings of the corners of a cell that name these nodes, how many are right.
 int right_numberings(Mesh mesh) {

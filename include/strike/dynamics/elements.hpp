@@ -114,7 +114,7 @@ struct Elements {
     else
       return (void)b, false;
   }
-  /// What these make of the bounds of their vibrations, at the positions of their corners; nothing: there are none.
+  /// Their part in the bounds of the vibrations, at the positions of their corners; nothing: there are none.
   std::optional<MergedGradient<T>> merged_in(std::size_t b, const NodalField<LaneOf<T>>& positions) const
     requires merges
   {

@@ -58,7 +58,7 @@ struct VibrationSources {
   T zeta, hourglass_rate;
 };
 
-/// What the masses of the nodes make of the bounds of an element's vibrations.
+/// The bounds of an element's vibrations by the masses of its nodes.
 template <class T>
 struct MergedGradient {
   T trace, eigenvalue;  ///< of S = B M^-1 B^T rho/(8 V) [1/length^2], in place of Stability's

@@ -17,7 +17,7 @@ namespace strike::detail::dyna {
 /// Widths of fields: as the manual has them, none below 10, or all of 20.
 enum class Format { standard, i10, wide };
 
-/// What a number in a file counts, as far as *INCLUDE_TRANSFORM tells them apart.
+/// The kind of things that a number in a file counts, as far as *INCLUDE_TRANSFORM tells them apart.
 enum class Id { node, element, part, material, set, curve, define, other };
 using Offsets = std::array<FileNumber, 8>;  ///< added to the numbers in an included file, by Id
 

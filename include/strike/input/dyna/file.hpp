@@ -12,7 +12,7 @@
 
 namespace strike::detail::dyna {
 
-/// What *INCLUDE_TRANSFORM does to the nodes of a file: TRANID and FCTLEN, then the motion of the file around it.
+/// The motion of the nodes of a file by *INCLUDE_TRANSFORM: TRANID and FCTLEN, then the motion of the file around it.
 struct Motion {
   FileNumber transformation;  ///< 0 for none
   double length;
@@ -168,7 +168,7 @@ class File {
   }
 
  private:
-  /// What an included file changes until its end.
+  /// The state that an included file changes until its end.
   struct Surroundings {
     std::string name = {};  ///< the keyword that includes the file
     Format format = Format::standard;
