@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/scene.hpp>
-#include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/order.hpp>
@@ -75,7 +75,7 @@ template <class... Items>
 Arrangement arrange(const Scene<Items...>& scene) {
   check_positions(scene.nodes);
   Arranger arranger(scene.nodes);
-  each_of(scene.items, [&](const auto& item) {
+  each_item(scene.items, [&](const auto& item) {
     if constexpr (is_part<std::decay_t<decltype(item)>>) {
       check_ranges(item, joined({", in part ", arranger.number_of_next_part(), ","}));
       arranger.add(item.cells);

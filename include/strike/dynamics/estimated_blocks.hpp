@@ -110,6 +110,14 @@ template <class E, class M, class T, class Nodes, class Removal>
 struct EstimatedPartOf<RunningPart<E, M, T, Nodes, Removal>> {
   using type = EstimatedPart<E, T>;
 };
+template <class Item>
+struct EstimatedPartOf<std::vector<Item>> {
+  using type = std::vector<typename EstimatedPartOf<Item>::type>;
+};
+template <class... Items>
+struct EstimatedPartOf<std::variant<Items...>> {
+  using type = std::variant<typename EstimatedPartOf<Items>::type...>;
+};
 template <class Items>
 struct EstimatedParts;
 template <class... Items>
@@ -118,12 +126,25 @@ struct EstimatedParts<std::tuple<Items...>> : std::tuple<typename EstimatedPartO
   template <class Tuple, class F>
   void each_part(Tuple& items, const F& f) {
     std::tuple<typename EstimatedPartOf<Items>::type...>& parts = *this;
-    const auto visit = [&](auto& item, auto& estimated) {
-      if constexpr (!std::is_same_v<std::decay_t<decltype(estimated)>, NoPart>) f(item, estimated);
-    };
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (visit(std::get<i>(items), std::get<i>(parts)), ...);
+      (visit(std::get<i>(items), std::get<i>(parts), f), ...);
     }(std::index_sequence_for<Items...>{});
+  }
+
+ private:
+  template <class Item, class Estimated, class F>
+  static void visit(Item& item, Estimated& estimated, const F& f) {
+    if constexpr (is_vector<std::remove_const_t<Item>>) {
+      estimated.resize(item.size());
+      for (std::size_t i = 0; i < item.size(); ++i) visit(item[i], estimated[i], f);
+    } else if constexpr (is_variant<std::remove_const_t<Item>>) {
+      with_alternative(item, [&]<std::size_t i>(auto& one, std::integral_constant<std::size_t, i>) {
+        if (estimated.index() != i) estimated.template emplace<i>();
+        visit(one, *std::get_if<i>(&estimated), f);
+      });
+    } else if constexpr (!std::is_same_v<Estimated, NoPart>) {
+      f(item, estimated);
+    }
   }
 };
 

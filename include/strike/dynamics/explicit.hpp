@@ -135,11 +135,14 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   /// All its items tell an archive what they remember.
   template <class Archive>
   static constexpr bool remembers() {
-    return (detail::Serializable<typename detail::RunningItem<Items, Method, Nodes>::type, Archive> && ...);
+    return detail::every_kind<Items...>([]<class Kind>() {
+      return detail::Serializable<typename detail::RunningItem<Kind, Method, Nodes>::type, Archive>;
+    });
   }
   template <class Archive>
   void serialize(Archive& archive) {
     archive(this->nodes_, bound_, damping_, ledger_, energy_, step_, stable_, bounded_, smallest_step_, clock_, cycle_);
+    if constexpr ((detail::is_chosen_late<Items> || ...)) archive.same(this->chosen_late());
     this->each([&](auto& item) {
       archive.same(detail::constants_of(item));
       if constexpr (requires { item.serialize(archive); }) archive(item);

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/explicit_options.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/running_item.hpp>
@@ -124,14 +125,14 @@ class Explicit;
 template <class Method, class... Items>
   requires(!detail::can_run<Method, Items...>)
 class Explicit<Method, Items...> : public detail::IllFormedRun<sizeof...(Items)> {
-  static_assert((detail::suits<typename Method::Bound, Items> && ...),
+  static_assert(detail::every_kind<Items...>([]<class Kind>() { return detail::suits<typename Method::Bound, Kind>; }),
                 "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
                 "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
   template <class Item>
   using Checked = std::conditional_t<
       Scene<Items...>::sound,
       detail::CheckedItem<Item, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>, Item*>;
-  static_assert((sizeof(Checked<Items>) + ... + 0) > 0);
+  static_assert(detail::every_kind<Items...>([]<class Kind>() { return sizeof(Checked<Kind>) > 0; }));
 
  public:
   explicit Explicit(const auto&...) {}

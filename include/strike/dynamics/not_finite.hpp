@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/item.hpp>
 #include <strike/each_of.hpp>
 #include <strike/error.hpp>
@@ -216,7 +217,9 @@ class Culprit {
     std::string found;
     std::size_t place = 0;
     each_of(items_, [&](auto& item) {
-      if (found.empty()) found = f(item, place);
+      each_within(item, [&](auto& one) {
+        if (found.empty()) found = f(one, place);
+      });
       ++place;
     });
     return found;

@@ -145,6 +145,10 @@ Part(E, M, Particles) -> Part<E, M, 1>;
 template <class E, class M, class Removal>
 Part(E, M, Particles, Removal) -> Part<E, M, 1, Removal>;
 
+/// The type of a part of these elements.
+template <class E, class M, class Removal = NoErosion>
+using PartOf = Part<E, M, static_cast<std::size_t>(E::nodes), Removal>;
+
 /// Fallback for a part without cells in the third place: its static_assert is the one message.
 template <class E, class M, class... Pieces>
 struct Part<E, M, 0, detail::NotCells<Pieces...>> {

@@ -13,13 +13,13 @@
 #include <Eigen/Core>
 
 #include <strike/contact/overlap.hpp>
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/faces_of_part.hpp>
 #include <strike/dynamics/item.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/running_scene.hpp>
 #include <strike/dynamics/scene.hpp>
-#include <strike/each_of.hpp>
 #include <strike/element/cell_shape.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/check_cell.hpp>
@@ -85,7 +85,7 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
   std::vector<Overlap> find_overlaps() {
     std::vector<Overlap> all;
     warned_ = false;
-    each_of(given_, [&](const auto& item) {
+    each_item(given_, [&](const auto& item) {
       if constexpr (requires { item.overlaps(); }) {
         auto begun = item;
         call_if_present<item::Begin>(begun, this->nodes_, std::span<const PartFaces>(parts_));
@@ -192,7 +192,7 @@ Scene<Items..., PushedApart> pushed_apart(const Scene<Items...>& scene) {
     report.moved = static_cast<std::size_t>(
         std::count_if(ways.begin(), ways.end(), [&](double way) { return way > 1e-6 * report.way; }));
     std::size_t number = 0;
-    detail::each_of(scene.items, [&](const auto& item) {
+    detail::each_item(scene.items, [&](const auto& item) {
       if constexpr (detail::is_part<std::remove_cvref_t<decltype(item)>>)
         detail::check_moved(item, number++, scene.nodes, moved);
     });

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstddef>
-#include <tuple>
+#include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/item.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/running_part.hpp>
@@ -28,6 +30,32 @@ struct RunningItem<Part<E, M, n, R>, Method, Nodes> {
     return type(
         {Element{std::move(part.element)}, Material{std::move(part.material)}, std::move(part.cells), part.removal},
         nodes, mine, std::move(orders[mine]));
+  }
+};
+
+template <class Item, class Method, class Nodes>
+struct RunningItem<std::vector<Item>, Method, Nodes> {
+  using One = RunningItem<Item, Method, Nodes>;
+  using type = std::vector<typename One::type>;
+  static type start(std::vector<Item> items, Nodes& nodes, std::vector<std::vector<Index>>& orders,
+                    std::size_t& number) {
+    type started;
+    started.reserve(items.size());
+    for (Item& item : items) started.push_back(One::start(std::move(item), nodes, orders, number));
+    return started;
+  }
+};
+template <class... Items, class Method, class Nodes>
+struct RunningItem<std::variant<Items...>, Method, Nodes> {
+  using type = std::variant<typename RunningItem<Items, Method, Nodes>::type...>;
+  static type start(std::variant<Items...> item, Nodes& nodes, std::vector<std::vector<Index>>& orders,
+                    std::size_t& number) {
+    std::optional<type> started;
+    with_alternative(item, [&]<class Item, std::size_t i>(Item& one, std::integral_constant<std::size_t, i>) {
+      started.emplace(std::in_place_index<i>,
+                      RunningItem<Item, Method, Nodes>::start(std::move(one), nodes, orders, number));
+    });
+    return std::move(*started);
   }
 };
 
@@ -109,10 +137,10 @@ template <class Method, class... Items>
 inline constexpr bool can_run = false;
 template <class... Policies, class... Items>
   requires(method_fault<Policies...>() == MethodFault::none && Scene<Items...>::sound &&
-           (suits<PolicyOf<StepBoundKind, Policies...>, Items> && ...))
-inline constexpr bool can_run<Method<Policies...>, Items...> =
-    ((item_fault<Items, typename PolicyOf<NumbersKind, Policies...>::template Nodes<Scene<Items...>::nodes_turn>> ==
-      item::Fault::none) &&
-     ...);
+           every_kind<Items...>([]<class Kind>() { return suits<PolicyOf<StepBoundKind, Policies...>, Kind>; }))
+inline constexpr bool can_run<Method<Policies...>, Items...> = every_kind<Items...>([]<class Kind>() {
+  using Nodes = typename PolicyOf<NumbersKind, Policies...>::template Nodes<Scene<Items...>::nodes_turn>;
+  return item_fault<Kind, Nodes> == item::Fault::none;
+});
 
 }  // namespace strike::detail

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/faces_of_part.hpp>
 #include <strike/dynamics/ill_formed_run.hpp>
@@ -19,7 +20,6 @@
 #include <strike/dynamics/plate_stretch.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/scene.hpp>
-#include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/part_faces.hpp>
@@ -154,11 +154,17 @@ class RunningScene {
   }
   template <class F>
   void each(const F& f) {
-    each_of(items_, f);
+    each_item(items_, f);
   }
   template <class F>
   void each(const F& f) const {
-    each_of(items_, f);
+    each_item(items_, f);
+  }
+  /// The sizes of its lists and the numbers of its alternatives, in their order.
+  std::vector<std::size_t> chosen_late() const {
+    std::vector<std::size_t> all;
+    each_of(items_, [&](const auto& item) { add_chosen(item, all); });
+    return all;
   }
   template <class F>
   std::vector<Eigen::Vector3d> of_nodes(const F& f) const {
@@ -170,7 +176,7 @@ class RunningScene {
   /// Errors: those of the items; a velocity that is not finite.
   void begin_items() {
     std::vector<PartFaces> parts;
-    if constexpr ((item::Begin::takes_parts<Items, Nodes> || ...))
+    if constexpr (any_kind<Items...>([]<class Kind>() { return item::Begin::takes_parts<Kind, Nodes>; }))
       each_part([&](const auto& part) { parts.push_back(faces_of(part, nodes_)); });
     each_body([&](const auto& body) { body.add_faces(parts); });
     begin_debris();

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/item.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/motion/nodes.hpp>
@@ -48,17 +49,21 @@ struct NotPositions {};
 }  // namespace detail
 
 /// A scene: the positions of its nodes, and the items that act on them, parts, loads and contacts in any order. The
-/// functions that an item may have are listed in strike/dynamics/item.hpp.
+/// functions that an item may have are listed in strike/dynamics/item.hpp; items known only when the run starts stand
+/// in a std::vector, or as AnyPart.
 template <class... Items>
 struct Scene {
-  static_assert((std::is_class_v<Items> && ...),
+  static_assert(detail::every_kind<Items...>([]<class Kind>() { return std::is_class_v<Kind>; }),
                 "strike: one of the items in this Scene is a number or a pointer: a Scene takes its nodes, then parts, "
                 "loads, supports and contacts.");
-  static_assert((detail::has_mass<Items> || ...), "strike: a Scene needs at least one Part or RigidBody.");
+  static constexpr bool has_mass = detail::any_kind<Items...>([]<class Kind>() { return detail::has_mass<Kind>; });
+  static_assert(has_mass, "strike: a Scene needs at least one Part or RigidBody.");
   /// Some of its elements turn their nodes.
-  static constexpr bool nodes_turn = (detail::turns_nodes_of<Items> || ...);
+  static constexpr bool nodes_turn =
+      detail::any_kind<Items...>([]<class Kind>() { return detail::turns_nodes_of<Kind>; });
   /// No static_assert has reported any of its items.
-  static constexpr bool sound = (detail::is_sound<Items>() && ...) && (detail::has_mass<Items> || ...);
+  static constexpr bool sound =
+      detail::every_kind<Items...>([]<class Kind>() { return detail::is_sound<Kind>(); }) && has_mass;
 
   std::vector<Eigen::Vector3d> nodes;
   std::tuple<Items...> items;

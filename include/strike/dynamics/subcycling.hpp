@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/patches.hpp>
-#include <strike/each_of.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/motion.hpp>
@@ -255,7 +255,7 @@ class Subcycling::Running {
     const auto visit = [&](const auto& item) {
       if constexpr (requires { item.patches(); }) f(item, paces[item.number()]);
     };
-    detail::each_of(items, visit);
+    detail::each_item(items, visit);
   }
 
   /// The multiple with which the fewest elements are advanced, and the parts that allow it.

@@ -1,0 +1,94 @@
+#pragma once
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/element/bulk_viscosity.hpp>
+#include <strike/element/hex8.hpp>
+#include <strike/element/plate4.hpp>
+#include <strike/element/tet4.hpp>
+#include <strike/material/strength/tabulated_hardening.hpp>
+#include <strike/range.hpp>
+#include <strike/text.hpp>
+
+// Objects as the C++ that makes them: numbers by the shortest text that reads back as the same.
+namespace strike::detail {
+
+inline std::string code_of(double number) { return shortest(number); }
+inline std::string code_of(const Eigen::Vector3d& v) {
+  return joined({"{", shortest(v.x()), ", ", shortest(v.y()), ", ", shortest(v.z()), "}"});
+}
+inline std::string code_of(const std::vector<Eigen::Vector3d>& all) {
+  std::string text;
+  for (const Eigen::Vector3d& v : all) text += (text.empty() ? "" : ", ") + code_of(v);
+  return joined({"{", text, "}"});
+}
+
+template <class Model>
+std::string code_of(const Model& model);
+
+/// Writes the numbers of an aggregate that are not its defaults, and the models in it, as its `ranges` visit them.
+class Written {
+ public:
+  /// `usual` are the numbers of a model of defaults, in the same order.
+  explicit Written(std::string& text, const std::vector<double>& usual) : text_(text), usual_(usual) {}
+
+  template <class Number>
+    requires std::convertible_to<Number, double> || std::is_arithmetic_v<Number>
+  void operator()(std::string_view name, const Number& number, const Range&, std::string_view = {}) const {
+    const auto value = static_cast<double>(number);
+    const std::size_t place = place_++;
+    const bool is_member = name.find(' ') == name.npos;
+    if (!is_member || (place < usual_.size() && value == usual_[place])) return;
+    text_ += joined({text_.empty() ? "." : ", .", name, " = ", shortest(value)});
+  }
+  template <class Model>
+  void operator()(const Model& model, std::string_view = {}) const {
+    if constexpr (!std::is_empty_v<Model>) text_ += joined({text_.empty() ? "" : ", ", code_of(model)});
+  }
+
+ private:
+  std::string& text_;
+  const std::vector<double>& usual_;
+  mutable std::size_t place_ = 0;
+};
+
+/// An aggregate by its class and the names of its numbers.
+template <class Model>
+std::string code_of(const Model& model) {
+  std::string numbers;
+  std::vector<double> usual;
+  if constexpr (std::is_default_constructible_v<Model>) usual = constants_of(Model{});
+  if constexpr (answers<Ranges, const Model, const Written>) Ranges::call(model, Written(numbers, usual));
+  return joined({class_name<Model>(), "{", numbers, "}"});
+}
+inline std::string code_of(const TabulatedHardening& law) {
+  const std::vector<double> numbers = constants_of(law);  // G, then the strain and the stress of each point
+  std::string points;
+  for (std::size_t i = 1; i + 1 < numbers.size(); i += 2) {
+    const std::string_view comma = i > 1 ? ", " : "";
+    points += joined({comma, "{", shortest(numbers[i]), ", ", shortest(numbers[i + 1]), "}"});
+  }
+  return joined({"TabulatedHardening{", shortest(law.shear_modulus), ", {", points, "}}"});
+}
+/// An element by its first policy, where that is not the usual one, and its bulk viscosity, where its numbers are not.
+template <class First, class Usual>
+std::string code_of_element(const char* name, const First& first, const Usual&, const BulkViscosity& viscosity) {
+  if (constants_of(viscosity) != constants_of(BulkViscosity{}))
+    return joined({name, "{", code_of(first), ", HughesWinget{}, ", code_of(viscosity), "}"});
+  return joined({name, "{", std::is_same_v<First, Usual> ? std::string{} : code_of(first), "}"});
+}
+template <class H>
+std::string code_of(const Hex8<H>& element) {
+  return code_of_element("Hex8", element.hourglass, PhysicalHourglass{}, element.bulk_viscosity);
+}
+inline std::string code_of(const Tet4<>& element) {
+  return code_of_element("Tet4", element.pressure, NodalPressure{}, element.bulk_viscosity);
+}
+inline std::string code_of(const Plate4<>&) { return "Plate4{}"; }
+
+}  // namespace strike::detail

@@ -1,0 +1,327 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <strike/deck/code.hpp>
+#include <strike/deck/scene.hpp>
+#include <strike/error.hpp>
+#include <strike/input/dyna_cards.hpp>
+#include <strike/text.hpp>
+
+namespace strike {
+
+namespace detail {
+
+/// Makes the scene of an LS-DYNA deck, card by card.
+class FromDyna {
+ public:
+  explicit FromDyna(const DynaDeck& deck) : deck_(deck) {
+    made_.title = deck.title, made_.nodes = deck.mesh.nodes;
+    if (deck.step_factor > 0) made_.options.step_factor = deck.step_factor;
+    made_.end = deck.end_time, made_.interval = deck.end_time / 40;
+    if (!(made_.end > 0)) cannot({"The deck has no end: give *CONTROL_TERMINATION its ENDTIM."});
+    for (const NamedSet& part : deck.parts) add_part(part);
+    for (std::size_t i = 0; i < deck.velocities.size(); ++i) add_velocity(i);
+    for (std::size_t i = 0; i < deck.supports.size(); ++i) add_support(i);
+    for (std::size_t i = 0; i < deck.walls.size(); ++i) add_wall(i);
+    add_contacts();
+    for (const std::string& warning : deck.warnings)
+      (is_harmless(warning) ? made_.replaced : made_.cannot).push_back(warning);
+  }
+  DeckScene made() { return std::move(made_); }
+
+ private:
+  using Texts = std::initializer_list<std::string_view>;
+  void becomes(Texts parts) { made_.becomes.push_back(joined(parts)); }
+  void replaced(Texts parts) { made_.replaced.push_back(joined(parts)); }
+  void cannot(Texts parts) { made_.cannot.push_back(joined(parts)); }
+
+  /// It concerns files that are written, or numbers of another solver.
+  static bool is_harmless(std::string_view warning) {
+    constexpr std::array<std::string_view, 4> starts{"*DATABASE", "*CONTROL", "Nodes without", "*PARAMETER"};
+    return std::any_of(starts.begin(), starts.end(),
+                       [&](std::string_view start) { return warning.starts_with(start); });
+  }
+
+  // Parts
+
+  static std::string name_of(const NamedSet& part) {
+    const std::string number = std::to_string(part.number);
+    return part.name.empty() ? joined({"Part ", number}) : joined({"Part ", number, ", ", part.name});
+  }
+  /// Its name as that of a variable, or one by its number.
+  static std::string variable_of(const NamedSet& part) {
+    std::string name;
+    for (const char c : part.name) {
+      const auto letter = static_cast<unsigned char>(c);
+      name += std::isalnum(letter) && letter < 128 ? static_cast<char>(std::tolower(letter)) : '_';
+    }
+    const bool plain =
+        !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && name.find("__") == name.npos;
+    return plain ? joined({name, "_", std::to_string(part.number)}) : joined({"part_", std::to_string(part.number)});
+  }
+  static std::string cells_of(const NamedSet& part, const char* kind) {
+    return joined({"deck.part(", std::to_string(part.number), ").", kind});
+  }
+  const PartCard* card_of(const NamedSet& part) const {
+    for (const PartCard& card : deck_.part_cards)
+      if (card.number == part.number) return &card;
+    return nullptr;
+  }
+  template <class Entry>
+  static const Entry* numbered(const std::vector<Entry>& entries, FileNumber number) {
+    for (const Entry& entry : entries)
+      if (entry.number == number) return &entry;
+    return nullptr;
+  }
+
+  void add_part(const NamedSet& part) {
+    const PartCells cells = deck_.part(part.number);
+    const PartCard* const card = card_of(part);
+    const MaterialCard* const material = card ? numbered(deck_.materials, card->material) : nullptr;
+    if (!material) {
+      cannot({name_of(part), " has no material that is known here: its elements are left out."});
+      return;
+    }
+    std::visit([&](const auto& law) { add_part(part, cells, *card, *material, law); }, material->material);
+  }
+  /// The materials that a card of a deck makes: f(material, the law by which elements are deleted).
+  template <class F>
+  bool with_material(FileNumber, const Elastic& elastic, const F& f) {
+    return f(elastic, NoErosion{}), true;
+  }
+  template <class F>
+  bool with_material(FileNumber, const PlasticMaterial& m, const F& f) {
+    if (m.failure)
+      f(Solid{m.eos, m.strength, *m.failure}, Erosion{});
+    else
+      f(Solid{m.eos, m.strength}, NoErosion{});
+    return true;
+  }
+  template <class F>
+  bool with_material(FileNumber part, const HydroMaterial& m, const F& f) {
+    return with_eos(part, [&](const auto& eos) { f(Solid{eos, m.strength}, NoErosion{}); });
+  }
+  template <class F>
+  bool with_material(FileNumber part, const JohnsonCookMaterial& m, const F& f) {
+    return with_eos(part, [&](const auto& eos) { f(Solid{eos, m.strength}, NoErosion{}); });
+  }
+  template <class F>
+  bool with_material(FileNumber part, const NullMaterial& m, const F& f) {
+    return with_eos(part, [&](const auto& eos) { f(Fluid{eos, Newtonian{m.viscosity}}, NoErosion{}); });
+  }
+  /// f(the equation of state of a part). False: it has none.
+  template <class F>
+  bool with_eos(FileNumber part, const F& f) {
+    const PartCard* const card = numbered(deck_.part_cards, part);
+    const EosCard* const eos = numbered(deck_.equations_of_state, card->eos);
+    if (!eos) return false;
+    std::visit([&]<class Eos>(const Eos&) { f(deck_.eos<Eos>(part)); }, eos->eos);
+    return true;
+  }
+
+  template <class Law>
+  void add_part(const NamedSet& part, const PartCells& cells, const PartCard& card, const MaterialCard& material,
+                const Law& law) {
+    bool fits = false;
+    if constexpr (requires(void (*f)(const Elastic&, const NoErosion&)) {
+                    with_material(part.number, law, [](auto&&...) {});
+                  })
+      fits = with_material(part.number, law, [&](const auto& m, const auto& removal) {
+        add_solids(part, cells, card, m, removal);
+        add_plates(part, cells, card, m, removal);
+      });
+    if (!fits)
+      cannot({name_of(part), ": ", material.keyword, " has no material here, or lacks its equation of state."});
+  }
+
+  BulkViscosity viscosity_of(const HourglassCard* control) const {
+    return control ? BulkViscosity{control->quadratic, control->linear}
+                   : BulkViscosity{deck_.bulk_viscosity[0], deck_.bulk_viscosity[1]};
+  }
+
+  template <class M, class Removal>
+  void add_solids(const NamedSet& part, const PartCells& cells, const PartCard& card, const M& material,
+                  const Removal& removal) {
+    const SectionCard* const section = numbered(deck_.sections, card.section);
+    const HourglassCard* const control = numbered(deck_.hourglass_controls, card.hourglass);
+    const BulkViscosity viscosity = viscosity_of(control);
+    if (!cells.hexahedra.empty()) {
+      const FileNumber form = section ? section->element_form : 1, type = control ? control->type : 1;
+      const bool is_fluid = !requires { material.strength; } && !std::is_same_v<M, Elastic>;
+      const double coefficient = control ? control->coefficient : 0.1;
+      if (is_fluid || (form == 1 && type <= 3)) {
+        if (form != 1)
+          replaced({name_of(part), ": hexahedra of one point stand for ELFORM ", std::to_string(form), "."});
+        place(part, Hex8{ViscousHourglass{coefficient}, HughesWinget{}, viscosity}, material, code_of(material),
+              cells.hexahedra, "hexahedra", removal);
+      } else {
+        const std::string asked =
+            form == 1 ? joined({"IHQ ", std::to_string(type)}) : joined({"ELFORM ", std::to_string(form)});
+        if (form != 1 || type < 6)
+          replaced({name_of(part), ": hexahedra whose hourglass control follows the material stand for ", asked,
+                    "; they bend in one layer as it should be."});
+        place(part, Hex8{PhysicalHourglass{}, HughesWinget{}, viscosity}, material, code_of(material), cells.hexahedra,
+              "hexahedra", removal);
+      }
+    }
+    if (!cells.tetrahedra.empty())
+      place(part, Tet4{NodalPressure{}, HughesWinget{}, viscosity}, material, code_of(material), cells.tetrahedra,
+            "tetrahedra", removal);
+  }
+
+  template <class M, class Removal>
+  void add_plates(const NamedSet& part, const PartCells& cells, const PartCard& card, const M& material,
+                  const Removal& removal) {
+    if (cells.quadrilaterals.empty()) return;
+    const SectionCard* const section = numbered(deck_.sections, card.section);
+    if (!section || !(section->thickness > 0)) {
+      cannot({name_of(part), " has no thickness: its shells are left out."});
+      return;
+    }
+    if constexpr (LinearSolid<M>::is) {
+      if (section->points != 5)
+        replaced({name_of(part), ": five points over the thickness by Simpson's rule stand for NIP ",
+                  std::to_string(section->points), "."});
+      const auto& t = section->corner_thickness;
+      if (std::any_of(t.begin(), t.end(), [&](double corner) { return corner != t[0]; }))
+        cannot({name_of(part), ": the thickness is that of the first corner, T1."});
+      if (section->reference != 0)
+        cannot({name_of(part), ": the nodes lie in the middle of the shells, NLOC is left out."});
+      const PlaneStress plane{material};
+      const std::string code = joined({"Homogeneous{", code_of(plane), ", ", code_of(section->thickness), "}"});
+      place(part, Plate4{}, Homogeneous{plane, section->thickness}, code, cells.quadrilaterals, "quadrilaterals",
+            removal);
+    } else {
+      cannot({name_of(part), ": no plates here are of its material: they are left out."});
+    }
+  }
+
+  template <class E, class M, class Cells, class Removal>
+  void place(const NamedSet& part, const E& element, const M& material, const std::string& code_of_material,
+             const Cells& cells, const char* kind, const Removal& removal) {
+    using Made = PartOf<E, M, Removal>;
+    if constexpr (std::is_constructible_v<DeckPart, std::in_place_type_t<Made>, Made>) {
+      owners_.push_back(part.number);
+      made_.parts.push_back({Made{element, material, cells, removal}, variable_of(part), code_of(element),
+                             code_of_material, cells_of(part, kind),
+                             std::is_same_v<Removal, NoErosion> ? "" : "Erosion{}"});
+      becomes({name_of(part), ": ", std::to_string(cells.size()), " ", kind, ", ", code_of(element), ", ",
+               code_of_material});
+    } else {
+      cannot({name_of(part), ": ", kind, " of ", class_name<E>(), " with ", class_name<M>(),
+              " are not among the pairs that this program holds: they are left out."});
+    }
+  }
+
+  // Conditions
+
+  void add_velocity(std::size_t i) {
+    const VelocityCard& card = deck_.velocities[i];
+    const std::string from = joined({"deck.velocities[", std::to_string(i), "].nodes"});
+    const bool spins = card.spin.norm() > 0;
+    made_.velocities.push_back(
+        {spins ? InitialVelocity{card.velocity, Spin{card.spin, card.centre}, card.nodes}
+               : InitialVelocity{card.velocity, card.nodes},
+         joined({"InitialVelocity{", code_of(card.velocity), ", ",
+                 spins ? joined({"Spin{", code_of(card.spin), ", ", code_of(card.centre), "}, "}) : "", from, "}"})});
+    becomes({"Velocity ", code_of(card.velocity), spins ? " with a spin" : "", " of ",
+             std::to_string(card.nodes.size()), " nodes"});
+  }
+  void add_support(std::size_t i) {
+    const SupportCard& card = deck_.supports[i];
+    made_.supports.push_back({Support{card.nodes, card.directions(), card.axes()},
+                              joined({"Support{deck.supports[", std::to_string(i), "].nodes, ",
+                                      code_of(card.directions()), ", ", code_of(card.axes()), "}"})});
+    becomes({"Support of ", std::to_string(card.nodes.size()), " nodes along ", code_of(card.directions()), ", about ",
+             code_of(card.axes())});
+  }
+  void add_wall(std::size_t i) {
+    const WallCard& card = deck_.walls[i];
+    made_.walls.push_back({RigidWall{card.point, card.normal, card.nodes, card.friction},
+                           joined({"RigidWall{", code_of(card.point), ", ", code_of(card.normal), ", deck.walls[",
+                                   std::to_string(i), "].nodes, ", code_of(card.friction), "}"})});
+    becomes({"Rigid wall at ", code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
+             code_of(card.friction)});
+  }
+
+  // Contacts
+
+  /// Pairs of parts of the scene that touch with one coefficient of friction.
+  struct Touching {
+    double friction;
+    std::set<std::array<std::size_t, 2>> pairs;
+  };
+
+  /// The places of the parts of a side, rigid bodies behind the others.
+  std::vector<std::size_t> places_of(const ContactSide& side) const {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < owners_.size(); ++i)
+      if (side.parts.empty() || std::find(side.parts.begin(), side.parts.end(), owners_[i]) != side.parts.end())
+        places.push_back(i);
+    return places;
+  }
+  /// FS, or FD where the friction falls with the speed.
+  double friction_of(const ContactCard& card) {
+    if (card.decay == 0 || card.static_friction == card.dynamic_friction) return card.static_friction;
+    replaced({"Contact ", card.kind, ": friction does not fall with the speed, FD is taken."});
+    return card.dynamic_friction;
+  }
+  void add_contacts() {
+    std::vector<Touching> all;
+    std::set<std::array<std::size_t, 2>> taken;
+    for (const ContactCard& card : deck_.contacts) {
+      const auto by_parts = [](const ContactSide& side) { return side.nodes.empty() && side.segments.empty(); };
+      if (!by_parts(card.slave) || !by_parts(card.master)) {
+        cannot({"Contact ", card.kind, " of nodes or segments is left out: give it parts or sets of parts."});
+        continue;
+      }
+      const bool single = card.kind == "SINGLE_SURFACE" || card.kind == "GENERAL";
+      const std::vector<std::size_t> slaves = places_of(card.slave), masters = single ? slaves : places_of(card.master);
+      const double friction = friction_of(card);
+      auto same = std::find_if(all.begin(), all.end(), [&](const Touching& one) { return one.friction == friction; });
+      if (same == all.end()) same = all.insert(all.end(), {friction, {}});
+      for (const std::size_t i : slaves)
+        for (const std::size_t j : masters) {
+          const std::array pair{std::min(i, j), std::max(i, j)};
+          if (taken.insert(pair).second) same->pairs.insert(pair);
+        }
+      becomes({"Contact ", card.kind, ": by springs, friction ", code_of(friction)});
+    }
+    for (const Touching& one : all) {
+      std::vector<std::array<std::size_t, 2>> except;
+      std::string code;
+      for (std::size_t i = 0; i < owners_.size(); ++i)
+        for (std::size_t j = i; j < owners_.size(); ++j)
+          if (!one.pairs.contains({i, j})) {
+            except.push_back({i, j});
+            code += joined({code.empty() ? "{" : ", {", std::to_string(i), ", ", std::to_string(j), "}"});
+          }
+      if (!code.empty()) code = joined({".except = {", code, "}"});
+      made_.contacts.push_back(
+          {Contact{Everything{except}, Penalty{}, Coulomb{one.friction}},
+           joined({"Contact{Everything{", code, "}, Penalty{}, ", code_of(Coulomb{one.friction}), "}"})});
+    }
+  }
+
+  const DynaDeck& deck_;
+  DeckScene made_;
+  std::vector<FileNumber> owners_;  // of each part of the scene, the part of the deck
+};
+
+}  // namespace detail
+
+/// The scene of an LS-DYNA deck.
+inline DeckScene deck_scene(const DynaDeck& deck) { return detail::FromDyna(deck).made(); }
+
+}  // namespace strike

@@ -1,0 +1,109 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/contact/contact.hpp>
+#include <strike/contact/friction.hpp>
+#include <strike/contact/law.hpp>
+#include <strike/contact/pairing.hpp>
+#include <strike/contact/rigid_wall.hpp>
+#include <strike/dynamics/any_part.hpp>
+#include <strike/dynamics/erosion.hpp>
+#include <strike/dynamics/explicit_options.hpp>
+#include <strike/dynamics/part.hpp>
+#include <strike/dynamics/scene.hpp>
+#include <strike/element/bulk_viscosity.hpp>
+#include <strike/element/hex8.hpp>
+#include <strike/element/plate4.hpp>
+#include <strike/element/tet4.hpp>
+#include <strike/load/initial_velocity.hpp>
+#include <strike/load/rigid_body.hpp>
+#include <strike/load/support.hpp>
+#include <strike/material/elastic.hpp>
+#include <strike/material/eos/gruneisen.hpp>
+#include <strike/material/eos/linear.hpp>
+#include <strike/material/eos/polynomial.hpp>
+#include <strike/material/failure/failure.hpp>
+#include <strike/material/fluid.hpp>
+#include <strike/material/plane_stress.hpp>
+#include <strike/material/solid.hpp>
+#include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/von_mises.hpp>
+#include <strike/section/layered.hpp>
+
+namespace strike {
+
+// The pairs of element and material that decks are run with.
+
+using DeckHexahedron = Hex8<ViscousHourglass>;
+using DeckMetal = Solid<LinearEos, RateVonMises>;
+using DeckFailingMetal = Solid<LinearEos, RateVonMises, FailureStrain>;
+template <class M>
+using DeckSection = Homogeneous<PlaneStress<M>>;
+
+/// A part of a deck.
+using DeckPart = AnyPart<
+    PartOf<DeckHexahedron, Elastic>, PartOf<DeckHexahedron, DeckMetal>,
+    PartOf<DeckHexahedron, DeckFailingMetal, Erosion>, PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook>>,
+    PartOf<DeckHexahedron, Solid<PolynomialEos, VonMises>>, PartOf<DeckHexahedron, Solid<GruneisenEos, VonMises>>,
+    PartOf<DeckHexahedron, Fluid<PolynomialEos, Newtonian>>, PartOf<DeckHexahedron, Fluid<GruneisenEos, Newtonian>>,  //
+    PartOf<Hex8<>, Elastic>, PartOf<Hex8<>, DeckMetal>, PartOf<Hex8<>, DeckFailingMetal, Erosion>,
+    PartOf<Tet4<>, Elastic>, PartOf<Tet4<>, DeckMetal>, PartOf<Tet4<>, DeckFailingMetal, Erosion>,
+    PartOf<Plate4<>, DeckSection<Elastic>>, PartOf<Plate4<>, DeckSection<DeckMetal>>,
+    PartOf<Plate4<>, DeckSection<DeckFailingMetal>, Erosion>>;
+
+using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>>;
+using DeckContact = Contact<Everything, Penalty, Coulomb>;
+
+/// An item of a deck's scene with the C++ that makes it.
+template <class Item>
+struct Stated {
+  Item item;
+  std::string code;
+};
+
+/// A part of a deck's scene, with the pieces of that C++.
+struct StatedPart {
+  DeckPart item;
+  std::string name, element, material, cells, removal;  ///< of its material, and the code of its pieces
+};
+
+/// The scene that a deck describes, in the deck's units: items in lists, each with the code that makes it from the
+/// deck, and sentences for its user.
+struct DeckScene {
+  std::string title;
+  std::vector<Eigen::Vector3d> nodes;
+  std::vector<StatedPart> parts = {};
+  std::vector<Stated<DeckBody>> bodies = {};
+  std::vector<Stated<InitialVelocity>> velocities = {};
+  std::vector<Stated<Support>> supports = {};
+  std::vector<Stated<RigidWall>> walls = {};
+  std::vector<Stated<DeckContact>> contacts = {};
+  ExplicitOptions options = {};
+  double end = 0;       ///< [time]
+  double interval = 0;  ///< between two states of the film [time]
+
+  std::vector<std::string> becomes = {};   ///< a line for each item: what of the deck, and what it is here
+  std::vector<std::string> replaced = {};  ///< another law or element stands for what the deck asks for
+  std::vector<std::string> cannot = {};    ///< what is left out; the answer would be another one
+
+  /// Parts, rigid bodies, initial velocities, supports, walls and contacts, in the order of the deck.
+  auto scene() const {
+    return Scene{nodes, items(parts), items(bodies), items(velocities), items(supports), items(walls), items(contacts)};
+  }
+
+ private:
+  template <class Stated, class Item = decltype(Stated::item)>
+  static std::vector<Item> items(const std::vector<Stated>& all) {
+    std::vector<Item> items;
+    for (const Stated& one : all) items.push_back(one.item);
+    return items;
+  }
+};
+
+}  // namespace strike
