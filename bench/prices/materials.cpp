@@ -16,6 +16,7 @@ Group strengths() {
            hexahedra.of_material("VonMises, perfectly plastic", Solid{linear, perfectly_plastic}),
            hexahedra.of_material("PowerHardening", Solid{linear, power_hardening}),
            hexahedra.of_material("TabulatedHardening, four points", Solid{linear, tabulated}),
+           hexahedra.of_material("TabulatedRates, at two rates", Solid{linear, tabulated_rates}),
            hexahedra.of_material("RateVonMises", Solid{linear, rate_dependent}),
            hexahedra.of_material("CowperSymonds of the table", Solid{linear, cowper_symonds}),
            hexahedra.of_material("JohnsonCook, with its temperature", Solid{linear, johnson_cook}),

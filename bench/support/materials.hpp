@@ -46,6 +46,10 @@ inline constexpr strike::PowerHardening power_hardening{
     .shear_modulus = 43.3e9, .coefficient = 500e6, .exponent = 0.1, .initial_strain = 0.02};
 inline const strike::TabulatedHardening tabulated{43.3e9, {{0, 400e6}, {0.02, 420e6}, {0.1, 450e6}, {1, 500e6}}};
 inline const strike::CowperSymonds cowper_symonds{tabulated, 6500, 4};
+inline const strike::TabulatedRates tabulated_rates{
+    43.3e9,
+    {{1, {{0, 400e6}, {0.02, 420e6}, {0.1, 450e6}, {1, 500e6}}}, {1e4, {{0, 600e6}, {1, 750e6}}}},
+    strike::TabulatedRates::Between::logarithms};
 
 inline constexpr strike::Elastic elastic{.density = 8930, .youngs_modulus = 117e9, .poissons_ratio = 0.35};
 inline const strike::Fluid water{strike::CubicEos{.density = 1000, .C1 = 2.2e9, .C2 = 5.5e9}};

@@ -31,6 +31,7 @@
 #include <strike/material/strength/report.hpp>
 #include <strike/material/strength/sensitive.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
+#include <strike/material/strength/tabulated_rates.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/strength/zerilli_armstrong.hpp>
 #include <strike/material/vumat.hpp>

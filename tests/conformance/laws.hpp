@@ -26,6 +26,9 @@ inline constexpr JohnsonCook johnson_cook{.shear_modulus = G,
 inline constexpr ElasticStrength elastic_strength{.shear_modulus = G};
 inline constexpr PowerHardening power{.shear_modulus = G, .coefficient = 600e6, .exponent = .2, .initial_strain = .01};
 inline const TabulatedHardening table{G, {{0, 90e6}, {.01, 150e6}, {.05, 220e6}, {.3, 300e6}, {.6, 290e6}}};
+inline const TabulatedRates rates{G,
+                                  {{1, {{0, 90e6}, {.01, 150e6}, {.3, 300e6}}}, {1e4, {{0, 200e6}, {.1, 350e6}}}},
+                                  TabulatedRates::Between::logarithms};
 inline constexpr ZerilliArmstrong zerilli_armstrong{.shear_modulus = G,
                                                     .C0 = 65e6,
                                                     .C1 = 100e6,

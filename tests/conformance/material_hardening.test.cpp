@@ -24,6 +24,7 @@ static_assert(numbers<PlaneStress<Solid<LinearEos, PowerHardening, PrincipalStre
 TEST_CASE("conformance: Solid of CowperSymonds and PowerHardening") {
   conforms(Solid{linear, CowperSymonds{power, 1e5, 4}});
 }
+TEST_CASE("conformance: Solid of TabulatedRates") { conforms(Solid{linear, rates}); }
 TEST_CASE("conformance: Solid of ZerilliArmstrong and JohnsonCookFailure") {
   conforms(Solid{linear, zerilli_armstrong, damage});
 }

@@ -73,6 +73,7 @@ TEST_CASE("conformance: wrong numbers of materials are refused") {
       .shear_modulus = 27e9, .yield_stress = 3e6, .hardening_modulus = 1e9, .rate_factor = .3, .rate_exponent = .2});
   refuses(CowperSymonds{tabulated, 40.4, 5});
   refuses(tabulated);
+  refuses(TabulatedRates{27e9, {{1, {{0, 3e6}, {.1, 4e6}}}, {100, {{0, 5e6}}}}});
   refuses(PowerHardening{.shear_modulus = 27e9, .coefficient = 5e6, .exponent = .2, .initial_strain = 1e-3});
   refuses(
       KinematicHardening{.shear_modulus = 27e9, .yield_stress = 3e6, .hardening_modulus = 1e9, .isotropic_share = .5});

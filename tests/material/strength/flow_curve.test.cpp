@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/plane_stress.hpp>
@@ -15,6 +16,7 @@
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/strength.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
+#include <strike/material/strength/tabulated_rates.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/strength/zerilli_armstrong.hpp>
 #include <strike/scalar/dual.hpp>
@@ -66,6 +68,11 @@ void each_law(F f) {
   }
   f(CowperSymonds{table, 40.4, 5});
   f(CowperSymonds{VonMises{G, 300e6, -1e9}, 40.4, 5});  // softens
+  const std::vector<TabulatedRates::Test> tests{{1e-3, {{0, 300e6}, {1e-3, 420e6}, {0.2, 400e6}}},
+                                                {10, {{0, 310e6}, {1e-3, 430e6}, {0.01, 450e6}}},
+                                                {1e5, {{0, 500e6}, {1, 900e6}}}};
+  for (const auto between : {TabulatedRates::Between::rates, TabulatedRates::Between::logarithms})
+    f(TabulatedRates{G, tests, between});
 }
 
 /// The state of a point that is 200 degrees warmer than at first.

@@ -33,8 +33,8 @@ namespace strike {
 /// 8. Of a strength with memory whose state has an `equivalent_plastic_strain`: `yield_radius(state)`, the flow stress
 ///    by which PhysicalHourglass yields.
 /// Laws: the flow stress is not negative and does not fall with the rate; the stress does no negative plastic work.
-/// Models: VonMises, RateVonMises, PowerHardening, TabulatedHardening, CowperSymonds, JohnsonCook, ZerilliArmstrong,
-/// Sensitive (a); ElasticStrength (b); KinematicHardening, Prony, MooneyRivlin (c).
+/// Models: VonMises, RateVonMises, PowerHardening, TabulatedHardening, TabulatedRates, CowperSymonds, JohnsonCook,
+/// ZerilliArmstrong, Sensitive (a); ElasticStrength (b); KinematicHardening, Prony, MooneyRivlin (c).
 template <class S, class T = double>
 concept RateIndependentFlow = requires(const S law, const T x) {
   { law.shear_modulus } -> std::convertible_to<double>;

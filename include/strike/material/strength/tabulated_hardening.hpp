@@ -23,12 +23,13 @@ class TabulatedHardening {
   double shear_modulus;  ///< G [stress]
 
   /// Errors: no points; strains that do not start at 0 or do not rise; a stress below zero or one that falls as steeply
-  /// as 3 G, the slope at which a stress relaxes.
-  TabulatedHardening(double G, const std::vector<Point>& points) : shear_modulus(G) {
-    if (points.empty()) throw Error("strike: a TabulatedHardening has no points: give it at least one.");
+  /// as 3 G, the slope at which a stress relaxes; `where` is a place in these sentences, such as ", in test 2,".
+  TabulatedHardening(double G, const std::vector<Point>& points, const std::string& where = {}) : shear_modulus(G) {
+    if (points.empty())
+      throw Error(detail::joined({"strike: a TabulatedHardening", where, " has no points: give it at least one."}));
     for (const auto& [strain, stress] : points)
       segments_.push_back({strain, stress, 0, std::numeric_limits<float>::max()});
-    detail::check_ranges(*this);
+    detail::check_ranges(*this, where);
     for (std::size_t i = 1; i < points.size(); ++i) {
       segments_[i - 1].slope =
           (points[i].stress - points[i - 1].stress) / (points[i].plastic_strain - points[i - 1].plastic_strain);
