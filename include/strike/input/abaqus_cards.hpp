@@ -18,17 +18,6 @@
 // The cards of an Abaqus input file as values (Abaqus Keywords Reference Guide). Numbers are in the units of the deck.
 namespace strike {
 
-/// *ELASTIC and *PLASTIC with a table: `Solid{m.eos, m.strength}`, or with a rate
-/// `Solid{m.eos, CowperSymonds{m.strength, m.rate->D, m.rate->p}}`.
-struct TabulatedMaterial {
-  struct Rate {
-    double D, p;  ///< of *RATE DEPENDENT, rate = D (factor - 1)^p
-  };
-  LinearEos eos;
-  TabulatedHardening strength;
-  std::optional<Rate> rate = {};
-};
-
 /// *MATERIAL, with what *ELASTIC or *EOS says of its volume.
 struct NamedMaterial {
   std::string name;

@@ -8,11 +8,14 @@
 #include <strike/input/deck.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/eos/gruneisen.hpp>
+#include <strike/material/eos/jwl.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/tabulated_hardening.hpp>
+#include <strike/material/strength/tabulated_rates.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -24,6 +27,34 @@ namespace strike {
 struct PlasticMaterial {
   LinearEos eos;
   RateVonMises strength;  ///< H = E ETAN/(E - ETAN); Cowper and Symonds' D and p as D^(-1/p) and 1/p
+  std::optional<FailureStrain> failure = {};
+};
+
+/// Cowper and Symonds' D, the rate that doubles the flow stress [1/time], and their exponent p.
+struct RateConstants {
+  double D, p;
+};
+
+/// *MAT_PIECEWISE_LINEAR_PLASTICITY with a curve or with EPS and ES, *ELASTIC and *PLASTIC of Abaqus with a table:
+/// `Solid{m.eos, m.strength}`, or with a rate `Solid{m.eos, CowperSymonds{m.strength, m.rate->D, m.rate->p}}`.
+struct TabulatedMaterial {
+  LinearEos eos;
+  TabulatedHardening strength;
+  std::optional<RateConstants> rate = {};
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_PIECEWISE_LINEAR_PLASTICITY with a table of curves, or with LCSR: `Solid{m.eos, m.strength}`.
+struct TabulatedRatesMaterial {
+  LinearEos eos;
+  TabulatedRates strength;
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_ELASTIC_PLASTIC_HYDRO with a table: `Solid{deck.eos<PolynomialEos>(part), m.strength}`.
+struct TabulatedHydroMaterial {
+  double density;
+  TabulatedHardening strength;
   std::optional<FailureStrain> failure = {};
 };
 
@@ -52,7 +83,9 @@ struct MaterialCard {
   FileNumber number;
   std::string keyword;
   std::string title;
-  std::variant<Elastic, PlasticMaterial, HydroMaterial, JohnsonCookMaterial, NullMaterial> material;
+  std::variant<Elastic, PlasticMaterial, HydroMaterial, JohnsonCookMaterial, NullMaterial, TabulatedMaterial,
+               TabulatedRatesMaterial, TabulatedHydroMaterial>
+      material;
   std::optional<double> pressure_cutoff = {};  ///< PC, where it is not 0
 };
 
@@ -60,7 +93,7 @@ struct MaterialCard {
 struct EosCard {
   FileNumber number;
   std::string keyword;
-  std::variant<PolynomialEos, GruneisenEos> eos;
+  std::variant<PolynomialEos, GruneisenEos, Jwl> eos;
 };
 
 /// *SECTION_SOLID, and *SECTION_SHELL with its thickness.
@@ -238,7 +271,7 @@ struct DynaDeck : Deck {
     const MaterialCard& card = material_card(part);
     if (const M* found = std::get_if<M>(&card.material)) return *found;
     throw Error(detail::joined({"strike: the material ", std::to_string(card.number), " of part ", text_of(part),
-                                " is ", card.keyword, ": read it as that card."}));
+                                " is ", card.keyword, ": read it as ", type_in(card.material), "."}));
   }
   /// The equation of state of a part, with the density and the cut-off of its material.
   template <class E, class Part>
@@ -248,7 +281,7 @@ struct DynaDeck : Deck {
     const E* const found = std::get_if<E>(&card.eos);
     if (!found)
       throw Error(detail::joined({"strike: the equation of state ", std::to_string(card.number), " of part ",
-                                  text_of(part), " is ", card.keyword, ": read it as that card."}));
+                                  text_of(part), " is ", card.keyword, ": read it as ", type_in(card.eos), "."}));
     E eos = *found;
     eos.density = std::visit(
         [](const auto& m) -> double {
@@ -260,7 +293,8 @@ struct DynaDeck : Deck {
             return m.density;
         },
         material.material);
-    if (material.pressure_cutoff) eos.pressure_cutoff = *material.pressure_cutoff;
+    if constexpr (requires { eos.pressure_cutoff; })
+      if (material.pressure_cutoff) eos.pressure_cutoff = *material.pressure_cutoff;
     return eos;
   }
   /// A curve or a table by its number. Error: it is not in the deck.
@@ -283,6 +317,10 @@ struct DynaDeck : Deck {
       if (entry.number == number) return entry;
     throw Error(detail::joined({"strike: no ", kind, " has the number ", std::to_string(number),
                                 ": read the warnings of the deck, or correct it."}));
+  }
+  template <class Variant>
+  static std::string type_in(const Variant& variant) {
+    return std::visit([]<class Type>(const Type&) { return detail::class_name<Type>(); }, variant);
   }
   static std::string text_of(std::string_view name) { return detail::joined({"'", name, "'"}); }
   static std::string text_of(FileNumber number) { return std::to_string(number); }

@@ -114,7 +114,7 @@ class MaterialCards {
     double density = 0, E = 0, ratio = 0, G = 0;
     std::vector<TabulatedHardening::Point> table = {};
     std::optional<JohnsonCook> johnson_cook = {};
-    std::optional<TabulatedMaterial::Rate> rate = {};
+    std::optional<RateConstants> rate = {};
     std::optional<GruneisenEos> gruneisen = {};
     std::optional<Jwl> jwl = {};
     double detonation_speed = 0, viscosity = 0, specific_heat = 0, heat_fraction = 0.9;
@@ -191,7 +191,7 @@ class MaterialCards {
       if (!file_.data(line)) file_.refuse({"*RATE DEPENDENT has no data: give D and n after it."});
       const double D = file_.number(field(line), "D"), n = file_.number(field(line), "n");
       if (!(D > 0) || !(n > 0)) file_.refuse({"D and n of *RATE DEPENDENT are not both positive: correct them."});
-      draft.rate = TabulatedMaterial::Rate{D, n};
+      draft.rate = RateConstants{D, n};
       if (file_.data(line)) leave(draft, "several lines");
     } else {
       leave(draft, "TYPE=" + type);

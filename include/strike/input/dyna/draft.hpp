@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -85,6 +86,19 @@ struct OpenTable {
   std::uint32_t line = 0;
 };
 
+/// A material of a curve, or of points of its own, whose curves may stand after it.
+struct PendingHardening {
+  std::size_t material;  ///< its place in the deck
+  std::uint32_t line;
+  LinearEos eos;
+  double shear_modulus;
+  FileNumber curve, rate_curve;  ///< LCSS and LCSR, 0 for none
+  bool has_logarithms;           ///< LOG_INTERPOLATION
+  std::vector<TabulatedHardening::Point> points;
+  std::optional<RateConstants> rate;
+  std::optional<FailureStrain> failure;
+};
+
 /// *DEFINE_BOX, along the axes.
 struct Box {
   Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = Eigen::Vector3d::Zero();
@@ -118,6 +132,7 @@ struct Draft {
   std::vector<PendingSystem> systems = {};
   std::vector<PendingCentre> centres = {};
   std::vector<PendingShell> shells = {};
+  std::vector<PendingHardening> hardenings = {};
   OpenTable open_table = {};
   std::map<std::pair<std::string_view, FileNumber>, std::uint32_t> defined = {};  ///< lines of cards by kind, number
   std::vector<Pending<SupportCard>> node_supports = {};                           ///< one for each way of being held

@@ -1,9 +1,16 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <strike/input/dyna/draft.hpp>
 
@@ -42,30 +49,177 @@ inline Elastic elastic_of(MaterialHead& head, const File& file) {
 inline std::optional<FailureStrain> failure_at(double strain) {
   return strain > 0 && strain < 1e6 ? std::optional(FailureStrain{strain}) : std::nullopt;
 }
-/// From Young's modulus and the tangent ETAN, and Cowper and Symonds' D and p.
-inline PlasticMaterial plastic(const Elastic& m, double yield, double tangent, double D, double p, const File& file) {
+/// H = E ETAN/(E - ETAN).
+inline double hardening_modulus(const Elastic& m, double tangent, const File& file) {
   if (!(tangent < m.youngs_modulus)) file.refuse({"ETAN is not below E: correct the tangent modulus."});
-  const double hardening = m.youngs_modulus * tangent / (m.youngs_modulus - tangent);
-  RateVonMises strength{m.shear_modulus(), yield, hardening};
-  if (D > 0 && p > 0) strength.rate_factor = std::pow(D, -1 / p), strength.rate_exponent = 1 / p;
-  return {{m.density, m.bulk_modulus()}, strength};
+  return m.youngs_modulus * tangent / (m.youngs_modulus - tangent);
 }
-/// Cards of eight strains or stresses, which have no counterpart. True if there are any.
-inline bool ignore_table(File& file, std::string_view what, int cards) {
-  bool any = false;
-  for (; cards > 0; --cards) {
-    Card card = file.card();
-    double sum = 0;
-    for (int i = 0; i < 8; ++i) sum += std::abs(card.number("a point of the table"));
-    file.ignore(sum, what);
-    any |= sum != 0;
+inline std::optional<RateConstants> rate_constants(double D, double p) {
+  return D > 0 && p > 0 ? std::optional(RateConstants{D, p}) : std::nullopt;
+}
+inline PlasticMaterial plastic(const LinearEos& eos, double G, double yield, double hardening,
+                               const std::optional<RateConstants>& rate) {
+  RateVonMises strength{G, yield, hardening};
+  if (rate) strength.rate_factor = std::pow(rate->D, -1 / rate->p), strength.rate_exponent = 1 / rate->p;
+  return {eos, strength};
+}
+/// VP of a material with a rate, which is that of the plastic strain here (VP 1).
+inline void expect_plastic_rate(File& file, double VP, bool has_rate) {
+  if (VP != 1 && has_rate) file.ignore(1, "VP 0 (the rate is that of the plastic strain, as of VP 1)");
+}
+
+using Points = std::vector<TabulatedHardening::Point>;
+
+/// EPS and ES: strains on so many cards of eight, and as many of stresses; none if all are 0 or blank.
+inline Points points_of(File& file, int cards) {
+  Points points(static_cast<std::size_t>(8 * cards));
+  std::size_t count = 0;
+  for (double TabulatedHardening::Point::*member :
+       {&TabulatedHardening::Point::plastic_strain, &TabulatedHardening::Point::stress})
+    for (std::size_t i = 0; i < points.size();) {
+      Card card = file.card();
+      for (int k = 0; k < 8; ++k, ++i) {
+        points[i].*member = card.number("a point of the table");
+        if (points[i].*member != 0) count = std::max(count, i + 1);
+      }
+    }
+  points.resize(count);
+  return points;
+}
+inline bool are_sorted(const Points& points) {
+  const auto turn = [](const auto& a, const auto& b) { return !(a.plastic_strain < b.plastic_strain); };
+  return std::adjacent_find(points.begin(), points.end(), turn) == points.end();
+}
+/// Points from the plastic strain 0 on. As LS-DYNA has it, the first and the last line go on beyond their ends; the
+/// stress is at least 0.
+inline Points from_zero(Points points) {
+  constexpr double far = 1000;  // beyond any plastic strain
+  if (points.empty() || !are_sorted(points)) return points;
+  if (points.size() == 1) return {{0, points[0].stress}};
+  const auto slope = [&](std::size_t i) {
+    return (points[i + 1].stress - points[i].stress) / (points[i + 1].plastic_strain - points[i].plastic_strain);
+  };
+  std::size_t first = 0;  // point after 0, whose line begins at the one before, or else at itself
+  while (first < points.size() && points[first].plastic_strain <= 0) ++first;
+  const std::size_t line = std::min(first > 0 ? first - 1 : 0, points.size() - 2);
+  Points all{{0, points[line].stress - points[line].plastic_strain * slope(line)}};
+  if (first > 0 && points[first - 1].plastic_strain == 0) all[0].stress = points[first - 1].stress;
+  all.insert(all.end(), points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
+  const double last = slope(points.size() - 2);
+  const auto [strain, stress] = all.back();
+  if (last > 0) all.push_back({strain + far, stress + far * last});
+  if (last < 0 && stress > 0) all.push_back({strain - stress / last, 0});
+  return all;
+}
+/// A law of points. Error: no material can follow these.
+template <class Make>
+auto made_of_points(FileNumber material, std::uint32_t line, const File& file, Make make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    std::string_view why = error.what();
+    why.remove_prefix(std::min(why.size(), std::string_view("strike: ").size()));
+    file.source().refuse(line, {"material ", std::to_string(material), " cannot follow its points: ", why});
   }
-  return any;
 }
-inline void expect_yield_stress(double yield, bool has_curve, const File& file) {
-  if (yield == 0 && has_curve)
-    file.refuse(
-        {"SIGY is 0, and no material here follows the curve in its place: give the material its SIGY and tangent."});
+inline TabulatedHardening hardening_of(double G, const Points& points, FileNumber material, std::uint32_t line,
+                                       const File& file) {
+  return made_of_points(material, line, file, [&] { return TabulatedHardening(G, points); });
+}
+/// Points of a curve of stress over plastic strain.
+inline Points points_of(const CurveCard& curve) {
+  Points points;
+  for (const auto& [strain, stress] : curve.points) points.push_back({strain, stress});
+  return from_zero(std::move(points));
+}
+/// Raises the stresses of tests where they lie below those of the slower one before. True if any did where both are
+/// given, and not only where their last lines go on.
+inline bool uncross(std::vector<TabulatedRates::Test>& tests, Allowance& allowance, std::uint32_t line) {
+  for (const TabulatedRates::Test& test : tests)
+    if (test.points.empty() || !are_sorted(test.points)) return false;  // no law takes it
+  bool crosses = false;
+  for (std::size_t i = 1; i < tests.size(); ++i) {
+    std::vector<double> strains;
+    for (const Points& points : {std::cref(tests[i - 1].points), std::cref(tests[i].points)})
+      for (const auto& point : points) strains.push_back(point.plastic_strain);
+    std::sort(strains.begin(), strains.end());
+    strains.erase(std::unique(strains.begin(), strains.end()), strains.end());
+    allowance.take(strains.size(), line);
+    const std::vector<double> slower = stresses_at(tests[i - 1].points, strains);
+    const std::vector<double> stresses = stresses_at(tests[i].points, strains);
+    Points raised;
+    bool is_below = false;
+    for (std::size_t j = 0; j < strains.size(); ++j) {
+      const double lack = slower[j] - stresses[j], before = j > 0 ? slower[j - 1] - stresses[j - 1] : 0;
+      if (lack * before < 0) {  // they cross between
+        const double share = before / (before - lack), e = strains[j - 1] + share * (strains[j] - strains[j - 1]);
+        if (e > strains[j - 1] && e < strains[j])
+          raised.push_back({e, slower[j - 1] + share * (slower[j] - slower[j - 1])});
+      }
+      raised.push_back({strains[j], std::max(stresses[j], slower[j])});
+      is_below |= lack > 0;
+      crosses |= lack > 1e-9 * slower[j] && strains[j] < 100;
+    }
+    if (is_below) tests[i].points = std::move(raised);
+  }
+  return crosses;
+}
+
+/// The materials that follow curves. Errors: a curve that is not there; points that no material can follow.
+inline void complete_materials(Draft& draft, File& file, Allowance& allowance) {
+  if (draft.hardenings.empty()) return;
+  DynaDeck& deck = draft.deck;
+  std::map<FileNumber, const CurveCard*> curves;
+  std::map<FileNumber, const TableCard*> tables;
+  for (const CurveCard& curve : deck.curves) curves.try_emplace(curve.number, &curve);
+  for (const TableCard& table : deck.tables) tables.try_emplace(table.number, &table);
+  for (PendingHardening& pending : draft.hardenings) {
+    MaterialCard& card = deck.materials[pending.material];
+    const auto curve = [&](FileNumber number) -> const CurveCard& {
+      if (const auto found = curves.find(number); found != curves.end()) {
+        allowance.take(found->second->points.size(), pending.line);
+        return *found->second;
+      }
+      const std::string skipped = file.skipped("*DEFINE_");
+      file.source().refuse(pending.line,
+                           {"the curve ", std::to_string(number), " of material ", std::to_string(card.number),
+                            " is not in the file", skipped.empty() ? "" : " (", skipped,
+                            skipped.empty() ? "" : " was skipped)", ": define it or correct the card."});
+    };
+    std::vector<TabulatedRates::Test> tests;
+    bool has_logarithms = pending.has_logarithms;
+    const auto found = tables.find(pending.curve);
+    const bool has_rates = found != tables.end() || pending.rate_curve != 0;
+    if (found != tables.end()) {
+      const TableCard& table = *found->second;
+      const bool are_logarithms = !table.values.empty() && table.values.front() < 0;  // values of LS-DYNA
+      has_logarithms |= are_logarithms;
+      for (std::size_t i = 0; i < table.values.size(); ++i)
+        tests.push_back(
+            {are_logarithms ? std::exp(table.values[i]) : table.values[i], points_of(curve(table.curves[i]))});
+    } else {
+      if (pending.curve != 0) pending.points = points_of(curve(pending.curve));
+      if (pending.rate_curve != 0)
+        for (const auto& [rate, factor] : curve(pending.rate_curve).points) {
+          allowance.take(pending.points.size(), pending.line);
+          tests.push_back({rate, pending.points});
+          for (auto& point : tests.back().points) point.stress *= factor;
+        }
+    }
+    if (uncross(tests, allowance, pending.line))
+      file.ignore_on_line(pending.line, "A stress below that of a slower curve (which is taken) of a table");
+    const double G = pending.shear_modulus;
+    if (!has_rates) {
+      card.material = TabulatedMaterial{pending.eos, hardening_of(G, pending.points, card.number, pending.line, file),
+                                        pending.rate, pending.failure};
+    } else {
+      const auto between = has_logarithms ? TabulatedRates::Between::logarithms : TabulatedRates::Between::rates;
+      card.material = TabulatedRatesMaterial{
+          pending.eos,
+          made_of_points(card.number, pending.line, file, [&] { return TabulatedRates(G, tests, between); }),
+          pending.failure};
+    }
+  }
 }
 
 inline void elastic(File& file, Draft& draft) {
@@ -81,35 +235,60 @@ inline void plastic_kinematic(File& file, Draft& draft) {
   if (tangent != 0) file.ignore(1 - beta, "BETA (hardening is isotropic here)");
   Card rate = file.card();
   const double D = rate.number("SRC"), p = rate.number("SRP");
-  PlasticMaterial material = plastic(m, yield, tangent, D, p, file);
+  const auto constants = rate_constants(D, p);
+  PlasticMaterial material =
+      plastic({m.density, m.bulk_modulus()}, m.shear_modulus(), yield, hardening_modulus(m, tangent, file), constants);
   material.failure = failure_at(rate.number("FS"));
+  expect_plastic_rate(file, rate.number("VP"), constants.has_value());
   file.ignore_rest(head.card, rate);
   add(file, draft, head, material);
 }
+/// LCSS counts before EPS and ES, these before SIGY and ETAN; a table before LCSR, that before C and P.
 inline void piecewise_plastic(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
+  const std::uint32_t line = file.line();
   const Elastic m = elastic_of(head, file);
-  const double yield = head.card.number("SIGY"), tangent = head.card.number("ETAN"), fails = head.card.number("FAIL");
+  const double yield = head.card.number("SIGY"), tangent = head.card.number("ETAN");
+  const double fails = head.card.number("FAIL");
+  if (fails < 0) file.ignore(1, "FAIL below 0");
+  const auto failure = failure_at(fails);
   Card rate = file.card();
   const double D = rate.number("C"), p = rate.number("P");
-  PlasticMaterial material = plastic(m, yield, tangent, D, p, file);
-  material.failure = failure_at(fails);
-  const double curve = rate.number("LCSS");
-  file.ignore(curve, "LCSS (SIGY and ETAN are taken)");
-  file.ignore(rate.number("LCSR"), "LCSR");
+  const auto constants = rate_constants(D, p);
+  const FileNumber curve = rate.tag("LCSS", Id::curve), rate_curve = rate.tag("LCSR", Id::curve);
+  const double VP = rate.number("VP");
+  expect_plastic_rate(file, VP, constants || rate_curve != 0);
   file.ignore_rest(head.card, rate);
-  const bool has_table = ignore_table(file, "EPS and ES (SIGY and ETAN are taken)", 2);
-  expect_yield_stress(yield, has_table || curve != 0, file);
-  add(file, draft, head, material);
+  const std::uint32_t rate_line = file.line();
+  Points points = from_zero(points_of(file, 1));
+  const LinearEos eos{m.density, m.bulk_modulus()};
+  const bool follows = curve != 0 || !points.empty();
+  const double hardening = follows ? 0 : hardening_modulus(m, tangent, file);
+  if (VP == 1 && constants && rate_curve == 0 && yield > 0 && (follows || hardening != 0))
+    file.ignore_on_line(rate_line, joined({"VP 1 (the factor of the rate is that of SIGY alone) of ", file.name()}));
+  if (!follows && rate_curve == 0) {
+    PlasticMaterial material = plastic(eos, m.shear_modulus(), yield, hardening, constants);
+    material.failure = failure;
+    add(file, draft, head, material);
+    return;
+  }
+  if (!follows) points = from_zero({{0, yield}, {1, yield + hardening}});
+  draft.hardenings.push_back({draft.deck.materials.size(), line, eos, m.shear_modulus(), curve, rate_curve,
+                              file.base().ends_with("_LOG_INTERPOLATION"), std::move(points), constants, failure});
+  add(file, draft, head, m);
 }
 inline void plastic_hydro(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
   const double G = head.card.positive("G"), yield = head.card.number("SIGY"), hardening = head.card.number("EH");
   const double cutoff = head.card.number("PC");
-  const HydroMaterial material{head.density, {G, yield, hardening}, failure_at(head.card.number("FS"))};
+  const auto failure = failure_at(head.card.number("FS"));
   file.ignore_rest(head.card);
-  expect_yield_stress(yield, ignore_table(file, "EPS and ES (SIGY and EH are taken)", 4), file);
-  add(file, draft, head, material, cutoff);
+  const std::uint32_t line = file.line();
+  if (Points points = from_zero(points_of(file, 2)); !points.empty())
+    add(file, draft, head,
+        TabulatedHydroMaterial{head.density, hardening_of(G, points, head.number, line, file), failure}, cutoff);
+  else
+    add(file, draft, head, HydroMaterial{head.density, {G, yield, hardening}, failure}, cutoff);
 }
 inline void johnson_cook(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
@@ -174,6 +353,8 @@ inline constexpr auto material_keywords = std::to_array<Keyword>({
     {"*MAT_003", plastic_kinematic},
     {"*MAT_PIECEWISE_LINEAR_PLASTICITY", piecewise_plastic},
     {"*MAT_024", piecewise_plastic},
+    {"*MAT_PIECEWISE_LINEAR_PLASTICITY_LOG_INTERPOLATION", piecewise_plastic},
+    {"*MAT_024_LOG_INTERPOLATION", piecewise_plastic},
     {"*MAT_ELASTIC_PLASTIC_HYDRO", plastic_hydro},
     {"*MAT_010", plastic_hydro},
     {"*MAT_JOHNSON_COOK", johnson_cook},

@@ -14,6 +14,7 @@
 #include <strike/ascending.hpp>
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
+#include <strike/input/dyna/materials.hpp>
 #include <strike/input/dyna/sets.hpp>
 #include <strike/input/dyna/transformations.hpp>
 #include <strike/input/raw_mesh.hpp>
@@ -279,6 +280,7 @@ inline DynaDeck resolved(Draft draft, File& file) {
   static_cast<Deck&>(deck) = std::move(mesh.deck);
   deck.part_sets = resolved_part_sets(draft, file, mesh.allowance);
   deck.shells = resolved_shells(draft, deck);
+  complete_materials(draft, file, mesh.allowance);
   deck.segment_sets = resolved_segments(draft, mesh, file, deck.warnings);
 
   deck.node_sets.reserve(deck.node_sets.size() + draft.general_sets.size());  // lookup points to them
