@@ -340,7 +340,6 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 )");
   CHECK(deck.warnings == std::vector<std::string>{
                              "*CONTACT_TIED_NODES_TO_SURFACE (0 cards) was skipped: line 26.",
-                             "BETA (hardening is isotropic here) of *MAT_PLASTIC_KINEMATIC (1) had no effect: line 12.",
                              "FAIL below 0 of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 14.",
                              "Further fields of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 15.",
                              "BIRTH of *RIGIDWALL_PLANAR (1) had no effect: line 19.",

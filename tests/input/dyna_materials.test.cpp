@@ -7,34 +7,13 @@
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/cowper_symonds.hpp>
 
+#include "input/dyna_cube.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
-
-/// A cube of part 1, of material 1.
-const std::string cube = R"(*NODE
-1,0,0,0
-2,1,0,0
-3,1,1,0
-4,0,1,0
-5,0,0,1
-6,1,0,1
-7,1,1,1
-8,0,1,1
-*ELEMENT_SOLID
-1,1,1,2,3,4,5,6,7,8
-*PART
-cube
-1,1,1,1
-)";
-DynaDeck read(const std::string& text) { return read_dyna(cube + text, "a.k"); }
-void refused(const std::string& text, const std::string& sentence) {
-  INFO(text);
-  CHECK_THROWS_WITH(read(text), ContainsSubstring("strike: the file 'a.k', line ") && ContainsSubstring(sentence));
-}
 
 /// MAT_024 with E 210e3 and no SIGY: further fields of its first card, then its other cards.
 std::string piecewise(const std::string& first, const std::string& others) {
@@ -60,7 +39,7 @@ TEST_CASE("dyna materials: a curve in the place of SIGY and ETAN, wherever it st
         "7\n" +
             rising}) {
     INFO(text);
-    const DynaDeck deck = read(text);
+    const DynaDeck deck = read_cube(text);
     const auto& m = deck.material<TabulatedMaterial>("cube");
     CHECK(m.eos.density == 7.8e-9);
     CHECK(m.eos.bulk_modulus == Approx(210e3 / 1.2));
@@ -77,7 +56,7 @@ TEST_CASE("dyna materials: a curve in the place of SIGY and ETAN, wherever it st
 
 TEST_CASE("dyna materials: EPS and ES, and lines that go on beyond the first and the last point") {
   const auto stress = [](const std::string& others, double e) {
-    const DynaDeck deck = read(piecewise("", others));
+    const DynaDeck deck = read_cube(piecewise("", others));
     CHECK(deck.warnings.empty());
     return deck.material<TabulatedMaterial>(1).strength.flow_stress(e);
   };
@@ -93,20 +72,20 @@ TEST_CASE("dyna materials: EPS and ES, and lines that go on beyond the first and
   CHECK(stress("0\n-.2,-.1\n100,200\n", .1) == Approx(400));
   CHECK(stress("0\n0,.1,.2\n300,400,390\n", .3) == Approx(380));  // falls
   CHECK(stress("0\n0,.1,.2\n300,400,390\n", 50) == 0);            // never below 0
-  refused(piecewise("", "0\n0,.1,.05\n300,400,420\n"),
-          "line 16: material 1 cannot follow its points: the "
-          "plastic_strain of point 2 of TabulatedHardening is 0.05");
-  refused(piecewise("", "0\n0,.1\n300,-1\n"), "the stress of point 1 of TabulatedHardening is -1");
-  refused(piecewise("", "0\n0,.001\n300,1\n"), "spread the fall over more than");
-  refused(piecewise("", "0,0,7\n") + "*DEFINE_CURVE\n7\n.1,300\n0,400\n", "is below the one before it");
-  refused(piecewise("", "0,0,7\n") + "*DEFINE_CURVE\n7\n", "has no points: give it at least one.");
-  refused(piecewise("", "0,0,7\n"), "line 16: the curve 7 of material 1 is not in the file: define it");
-  refused(piecewise("", "0,0,7\n") + "*DEFINE_CURVE_FUNCTION\n7\nx\n",
-          "is not in the file (*DEFINE_CURVE_FUNCTION on line 18 was skipped): define it");
+  refuses_cube(piecewise("", "0\n0,.1,.05\n300,400,420\n"),
+               "line 16: material 1 cannot follow its points: the "
+               "plastic_strain of point 2 of TabulatedHardening is 0.05");
+  refuses_cube(piecewise("", "0\n0,.1\n300,-1\n"), "the stress of point 1 of TabulatedHardening is -1");
+  refuses_cube(piecewise("", "0\n0,.001\n300,1\n"), "spread the fall over more than");
+  refuses_cube(piecewise("", "0,0,7\n") + "*DEFINE_CURVE\n7\n.1,300\n0,400\n", "is below the one before it");
+  refuses_cube(piecewise("", "0,0,7\n") + "*DEFINE_CURVE\n7\n", "has no points: give it at least one.");
+  refuses_cube(piecewise("", "0,0,7\n"), "line 16: the curve 7 of material 1 is not in the file: define it");
+  refuses_cube(piecewise("", "0,0,7\n") + "*DEFINE_CURVE_FUNCTION\n7\nx\n",
+               "is not in the file (*DEFINE_CURVE_FUNCTION on line 18 was skipped): define it");
 }
 
 TEST_CASE("dyna materials: the rate of a curve by C and P, or by LCSR") {
-  const DynaDeck deck = read(piecewise(",,,.5", "40,5,7,0,1\n") + rising);
+  const DynaDeck deck = read_cube(piecewise(",,,.5", "40,5,7,0,1\n") + rising);
   CHECK(deck.warnings.empty());
   const auto& m = deck.material<TabulatedMaterial>("cube");
   CHECK(m.failure->failure_strain == .5);
@@ -118,7 +97,7 @@ TEST_CASE("dyna materials: the rate of a curve by C and P, or by LCSR") {
   // a factor over the rate, in the place of C and P
   const std::string factors = "*DEFINE_CURVE\n9\n0,1\n100,1.5\n1000,2\n";
   for (const std::string& first : {std::string("0,0,7,9,1\n") + rising, std::string("40,5,7,9,1\n") + rising}) {
-    const DynaDeck scaled = read(piecewise("", first) + factors);
+    const DynaDeck scaled = read_cube(piecewise("", first) + factors);
     const auto& law = scaled.material<TabulatedRatesMaterial>("cube").strength;
     CHECK(law.flow_stress(.05, 0.) == Approx(350));
     CHECK(law.flow_stress(.05, 50.) == Approx(350 * 1.25));
@@ -126,25 +105,25 @@ TEST_CASE("dyna materials: the rate of a curve by C and P, or by LCSR") {
     CHECK(law.flow_stress(.05, 1e6) == Approx(350 * 2));
     CHECK(scaled.warnings.empty());
   }
-  const DynaDeck linear = read(piecewise(",200,2100", "0,0,0,9,1\n") + factors);  // of SIGY and ETAN
+  const DynaDeck linear = read_cube(piecewise(",200,2100", "0,0,0,9,1\n") + factors);  // of SIGY and ETAN
   CHECK(linear.material<TabulatedRatesMaterial>(1).strength.flow_stress(.1, 100.) ==
         Approx(1.5 * (200 + .1 * 210e3 * 2100 / (210e3 - 2100))));
 
-  CHECK(read(piecewise("", "40,5,7\n") + rising).warnings ==
+  CHECK(read_cube(piecewise("", "40,5,7\n") + rising).warnings ==
         std::vector<std::string>{"VP 0 (the rate is that of the plastic strain, as of VP 1) of "
                                  "*MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 17."});
-  CHECK(read(piecewise(",250,100", "40,5,,,1\n")).warnings ==
+  CHECK(read_cube(piecewise(",250,100", "40,5,,,1\n")).warnings ==
         std::vector<std::string>{"VP 1 (the factor of the rate is that of SIGY alone) of "
                                  "*MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 17."});
-  refused(piecewise("", "0,0,7,9\n") + rising, "the curve 9 of material 1 is not in the file");
-  refused(piecewise("", "0,0,7,9\n") + rising + "*DEFINE_CURVE\n9\n-5,1\n",
-          "the rate of test 1 of TabulatedRates is -5");
+  refuses_cube(piecewise("", "0,0,7,9\n") + rising, "the curve 9 of material 1 is not in the file");
+  refuses_cube(piecewise("", "0,0,7,9\n") + rising + "*DEFINE_CURVE\n9\n-5,1\n",
+               "the rate of test 1 of TabulatedRates is -5");
 }
 
 TEST_CASE("dyna materials: a table of curves by the rate") {
   const std::string table = "*DEFINE_TABLE\n3\n0\n100\n";
   const auto law = [](const std::string& text) {
-    const DynaDeck deck = read(text);
+    const DynaDeck deck = read_cube(text);
     CHECK(deck.warnings.empty());
     return deck.material<TabulatedRatesMaterial>("cube").strength;
   };
@@ -172,14 +151,15 @@ TEST_CASE("dyna materials: a table of curves by the rate") {
   CHECK(law(piecewise("", "0,0,3,0,1\n") + "*DEFINE_TABLE\n3\n5\n" + rising).flow_stress(.05, 1e3) == Approx(350));
 
   // curves that cross: that of the lower rate counts where it is above
-  const DynaDeck crossing = read(piecewise("", "0,0,3,0,1\n") + table + rising + "*DEFINE_CURVE\n8\n0,350\n.1,380\n");
+  const DynaDeck crossing =
+      read_cube(piecewise("", "0,0,3,0,1\n") + table + rising + "*DEFINE_CURVE\n8\n0,350\n.1,380\n");
   CHECK(crossing.warnings ==
         std::vector<std::string>{"A stress below that of a slower curve (which is taken) of a table (1) had no effect: "
                                  "line 16."});
   CHECK(crossing.material<TabulatedRatesMaterial>(1).strength.flow_stress(.1, 100.) == Approx(400));
 
-  refused(piecewise("", "0,0,3\n") + "*DEFINE_TABLE_2D\n3\n0,7\n", "the curve 7 of material 1 is not in the file");
-  refused(piecewise("", "0,0,3\n") + "*DEFINE_TABLE\n3\n5\n1\n" + rising + fast,
-          "material 1 cannot follow its points: the rate of test 2 of TabulatedRates is 1; it must be above 5");
-  refused(piecewise("", "0,0,3\n") + "*DEFINE_TABLE\n3\n", "a TabulatedRates has no tests");
+  refuses_cube(piecewise("", "0,0,3\n") + "*DEFINE_TABLE_2D\n3\n0,7\n", "the curve 7 of material 1 is not in the file");
+  refuses_cube(piecewise("", "0,0,3\n") + "*DEFINE_TABLE\n3\n5\n1\n" + rising + fast,
+               "material 1 cannot follow its points: the rate of test 2 of TabulatedRates is 1; it must be above 5");
+  refuses_cube(piecewise("", "0,0,3\n") + "*DEFINE_TABLE\n3\n", "a TabulatedRates has no tests");
 }

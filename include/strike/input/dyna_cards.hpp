@@ -1,7 +1,10 @@
 #pragma once
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -11,19 +14,40 @@
 #include <strike/material/eos/jwl.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/explosive.hpp>
+#include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
+#include <strike/material/failure/principal_stress.hpp>
+#include <strike/material/failure/tuler_butcher.hpp>
+#include <strike/material/orthotropic_ply.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/kinematic_hardening.hpp>
+#include <strike/material/strength/mooney_rivlin.hpp>
+#include <strike/material/strength/power_hardening.hpp>
+#include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/tabulated_rates.hpp>
 #include <strike/material/strength/von_mises.hpp>
+#include <strike/material/strength/zerilli_armstrong.hpp>
 #include <strike/tensor/tensor.hpp>
 
 // The cards of an LS-DYNA deck as values (LS-DYNA Keyword User's Manual R13, volumes I and II). Numbers are in the
 // units of the deck.
 namespace strike {
 
-/// *MAT_PLASTIC_KINEMATIC, and *MAT_PIECEWISE_LINEAR_PLASTICITY without curves: `Solid{m.eos, m.strength}`.
+namespace detail {
+/// The axes, x, y and z in the columns of a system, that are chosen.
+inline std::vector<Eigen::Vector3d> columns_of(const Eigen::Matrix3d& system, const std::array<bool, 3>& chosen) {
+  std::vector<Eigen::Vector3d> all;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    if (chosen[static_cast<std::size_t>(axis)]) all.push_back(system.col(axis));
+  return all;
+}
+}  // namespace detail
+
+/// *MAT_PLASTIC_KINEMATIC with BETA 1 or a rate, *MAT_PIECEWISE_LINEAR_PLASTICITY without curves, and
+/// *MAT_ISOTROPIC_ELASTIC_PLASTIC: `Solid{m.eos, m.strength}`.
 struct PlasticMaterial {
   LinearEos eos;
   RateVonMises strength;  ///< H = E ETAN/(E - ETAN); Cowper and Symonds' D and p as D^(-1/p) and 1/p
@@ -78,13 +102,105 @@ struct NullMaterial {
   double viscosity;  ///< MU, dynamic [stress time]
 };
 
+/// *MAT_PLASTIC_KINEMATIC with BETA below 1 and no rate: `Solid{m.eos, m.strength}`.
+struct KinematicMaterial {
+  LinearEos eos;
+  KinematicHardening strength;  ///< BETA is the isotropic share
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_POWER_LAW_PLASTICITY: `Solid{m.eos, m.strength}`, or with a rate
+/// `Solid{m.eos, CowperSymonds{m.strength, m.rate->D, m.rate->p}}`.
+struct PowerMaterial {
+  LinearEos eos;
+  PowerHardening strength;
+  std::optional<RateConstants> rate = {};
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_SIMPLIFIED_JOHNSON_COOK: `Solid{m.eos, m.strength}`.
+struct SimplifiedJohnsonCookMaterial {
+  LinearEos eos;
+  JohnsonCook strength;  ///< not heated
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_MODIFIED_ZERILLI_ARMSTRONG: `Solid{deck.eos<GruneisenEos>(part), m.strength}`.
+struct ZerilliArmstrongMaterial {
+  double density;
+  ZerilliArmstrong strength;  ///< heated by all of its plastic work, 1/(RO G1)
+  std::optional<FailureStrain> failure = {};
+};
+
+/// *MAT_MOONEY-RIVLIN_RUBBER: `Solid{m.eos, m.strength}`, with the bulk modulus 2 G (1 + PR)/(3 (1 - 2 PR)).
+struct RubberMaterial {
+  LinearEos eos;
+  MooneyRivlin strength;
+};
+
+/// *MAT_VISCOELASTIC: `Solid{m.eos, m.strength}`.
+struct ViscoelasticMaterial {
+  LinearEos eos;
+  Prony<1> strength;
+};
+
+/// *MAT_GENERAL_VISCOELASTIC: `Solid{m.eos, m.strength<3>()}`, for up to three terms.
+struct PronyMaterial {
+  LinearEos eos;
+  double shear_modulus;               ///< the sum of all GI [stress]
+  std::vector<Prony<1>::Term> terms;  ///< GI over their sum, and 1/BETAI; without those whose BETAI is 0
+
+  /// Error: there are more than n terms.
+  template <std::size_t n>
+  Prony<n> strength() const {
+    if (terms.size() > n)
+      throw Error(detail::joined({"strike: the material has ", std::to_string(terms.size()),
+                                  " terms of relaxation: read it by strength<", std::to_string(terms.size()), ">()."}));
+    Prony<n> law{.shear_modulus = shear_modulus, .terms = {}};
+    for (std::size_t k = 0; k < n; ++k)
+      law.terms[k] =
+          k < terms.size() ? typename Prony<n>::Term{terms[k].share, terms[k].time} : typename Prony<n>::Term{0, 1};
+    return law;
+  }
+};
+
+/// *MAT_RIGID: `RigidBody{Mesh{deck.mesh.nodes, cells}, m.density, HeldBody{m.directions(), m.axes()}}`.
+struct RigidMaterial {
+  double density;
+  double youngs_modulus, poissons_ratio;                 ///< of its contact
+  std::array<bool, 3> held{}, held_turns{};              ///< along and about x, y, z, by CMO, CON1 and CON2
+  Eigen::Matrix3d system = Eigen::Matrix3d::Identity();  ///< x, y and z in its columns, of CON1 where CMO is -1
+
+  std::vector<Eigen::Vector3d> directions() const { return detail::columns_of(system, held); }
+  std::vector<Eigen::Vector3d> axes() const { return detail::columns_of(system, held_turns); }
+};
+
+/// *MAT_HIGH_EXPLOSIVE_BURN: `Explosive{deck.eos<Jwl>(part), deck.detonations.at(0).start, m.burn(width)}`.
+struct ExplosiveMaterial {
+  double density;
+  double detonation_velocity;  ///< D [length/time]
+  double pressure_CJ;          ///< PCJ [stress], 0 if it does not burn by compression (BETA 2)
+
+  /// The burning front is 3 to 6 elements wide [length].
+  Burn burn(double front_width) const { return {detonation_velocity, front_width, pressure_CJ}; }
+};
+
+/// *MAT_COMPOSITE_DAMAGE and *MAT_ENHANCED_COMPOSITE_DAMAGE of plates: `FailingPly{m.ply, m.criterion}`.
+struct PlyMaterial {
+  OrthotropicPly ply;
+  ChangChang criterion;                        ///< a strength that is 0 on the card is infinite: 1e50
+  std::optional<Eigen::Vector3d> fibres = {};  ///< A of AOPT 2
+};
+
 /// A *MAT_... card.
 struct MaterialCard {
   FileNumber number;
   std::string keyword;
   std::string title;
   std::variant<Elastic, PlasticMaterial, HydroMaterial, JohnsonCookMaterial, NullMaterial, TabulatedMaterial,
-               TabulatedRatesMaterial, TabulatedHydroMaterial>
+               TabulatedRatesMaterial, TabulatedHydroMaterial, KinematicMaterial, PowerMaterial,
+               SimplifiedJohnsonCookMaterial, ZerilliArmstrongMaterial, RubberMaterial, ViscoelasticMaterial,
+               PronyMaterial, RigidMaterial, ExplosiveMaterial, PlyMaterial>
       material;
   std::optional<double> pressure_cutoff = {};  ///< PC, where it is not 0
 };
@@ -94,6 +210,23 @@ struct EosCard {
   FileNumber number;
   std::string keyword;
   std::variant<PolynomialEos, GruneisenEos, Jwl> eos;
+};
+
+/// *MAT_ADD_EROSION of a material: limits of an `Erosion{.strain = e.strain, .volume = e.volume}`, and failure laws, of
+/// which a Solid takes one.
+struct ErosionCard {
+  FileNumber material;
+  double strain = std::numeric_limits<double>::infinity();  ///< EFFEPS
+  double volume = 0;                                        ///< V/V0 at VOLEPS below 0, exp(VOLEPS)
+  std::optional<UltimateStress> equivalent_stress = {};     ///< SIGVM
+  std::optional<PrincipalStress> principal_stress = {};     ///< SIGP1
+  std::optional<TulerButcher> impulse = {};                 ///< SIGTH and IMPULSE
+};
+
+/// *INITIAL_DETONATION: the start of a detonation in a part, in all explosives if that is 0.
+struct DetonationCard {
+  FileNumber part;
+  DetonationPoint start;
 };
 
 /// *SECTION_SOLID, and *SECTION_SHELL with its thickness.
@@ -191,16 +324,8 @@ struct SupportCard {
   std::array<bool, 3> held, held_turns;                  ///< along and about x, y, z
   Eigen::Matrix3d system = Eigen::Matrix3d::Identity();  ///< x, y and z of CID in its columns
 
-  std::vector<Eigen::Vector3d> directions() const { return along(held); }
-  std::vector<Eigen::Vector3d> axes() const { return along(held_turns); }
-
- private:
-  std::vector<Eigen::Vector3d> along(const std::array<bool, 3>& axes) const {
-    std::vector<Eigen::Vector3d> all;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      if (axes[static_cast<std::size_t>(axis)]) all.push_back(system.col(axis));
-    return all;
-  }
+  std::vector<Eigen::Vector3d> directions() const { return detail::columns_of(system, held); }
+  std::vector<Eigen::Vector3d> axes() const { return detail::columns_of(system, held_turns); }
 };
 
 /// *INITIAL_VELOCITY_...: `InitialVelocity{v.velocity, Spin{v.spin, v.centre}, v.nodes}`; `v.at(x)` is the velocity of
@@ -247,6 +372,8 @@ struct DynaDeck : Deck {
   std::vector<PartCard> part_cards = {};
   std::vector<MaterialCard> materials = {};
   std::vector<EosCard> equations_of_state = {};
+  std::vector<ErosionCard> erosions = {};
+  std::vector<DetonationCard> detonations = {};
   std::vector<SectionCard> sections = {};
   std::vector<HourglassCard> hourglass_controls = {};
   std::vector<SupportCard> supports = {};
@@ -290,7 +417,7 @@ struct DynaDeck : Deck {
           else if constexpr (requires { m.eos; })
             return m.eos.density;
           else
-            return m.density;
+            return m.ply.density;
         },
         material.material);
     if constexpr (requires { eos.pressure_cutoff; })

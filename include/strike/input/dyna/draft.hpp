@@ -18,6 +18,21 @@
 
 namespace strike::detail::dyna {
 
+/// A constraint from 0 to 7: the axes x, y and z that are held.
+inline std::array<bool, 3> held_by(FileNumber code, std::string_view what, const File& file) {
+  constexpr std::array<std::array<bool, 3>, 8> codes{{{false, false, false},
+                                                      {true, false, false},
+                                                      {false, true, false},
+                                                      {false, false, true},
+                                                      {true, true, false},
+                                                      {false, true, true},
+                                                      {true, false, true},
+                                                      {true, true, true}}};
+  if (code < 0 || code > 7)
+    file.refuse({"the constraint ", std::to_string(code), " of ", what, " is none: give 0 to 7."});
+  return codes[static_cast<std::size_t>(code)];
+}
+
 /// Nodes that a card names, found when the whole file has been read.
 enum class Named { all, node, set, part, part_set, box };
 struct Choice {
@@ -67,6 +82,12 @@ struct PendingSystem {
   std::size_t system;  ///< its place in the deck
   std::array<FileNumber, 3> nodes;
   int first;  ///< the axis from the first node to the second
+  std::uint32_t line;
+};
+/// The coordinate system of a rigid material.
+struct PendingRigid {
+  std::size_t material;  ///< its place in the deck
+  FileNumber system;
   std::uint32_t line;
 };
 /// A centre that is given by a node.
@@ -133,6 +154,7 @@ struct Draft {
   std::vector<PendingCentre> centres = {};
   std::vector<PendingShell> shells = {};
   std::vector<PendingHardening> hardenings = {};
+  std::vector<PendingRigid> rigid_systems = {};
   OpenTable open_table = {};
   std::map<std::pair<std::string_view, FileNumber>, std::uint32_t> defined = {};  ///< lines of cards by kind, number
   std::vector<Pending<SupportCard>> node_supports = {};                           ///< one for each way of being held

@@ -2,53 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include <strike/input/dyna/draft.hpp>
+#include <strike/input/dyna/explosives.hpp>
+#include <strike/input/dyna/hardening.hpp>
+#include <strike/input/dyna/material_head.hpp>
+#include <strike/input/dyna/soft_materials.hpp>
 
 // Materials and equations of state (LS-DYNA Keyword User's Manual R13, volume II).
 namespace strike::detail::dyna {
 
-/// First fields of every material card.
-struct MaterialHead {
-  std::string title;
-  Card card;
-  FileNumber number;
-  double density;
-};
-inline MaterialHead material_head(File& file, Draft& draft) {
-  std::string title = file.title();
-  Card card = file.card();
-  const FileNumber number = draft.own_number("material", Id::material, card, file);
-  const double density = card.positive("RO");
-  return {std::move(title), card, number, density};
-}
-inline void add(const File& file, Draft& draft, const MaterialHead& head, decltype(MaterialCard::material) material,
-                double cutoff = 0) {
-  draft.deck.materials.push_back(
-      {head.number, file.name(), head.title, material, cutoff != 0 ? std::optional(-std::abs(cutoff)) : std::nullopt});
-}
-
-inline double poissons_ratio(Card& card, const File& file) {
-  const double ratio = card.number("PR");
-  if (!(ratio > -1) || !(ratio < 0.5)) file.refuse({"PR is not between -1 and 0.5: correct it."});
-  return ratio;
-}
-inline Elastic elastic_of(MaterialHead& head, const File& file) {
-  const double E = head.card.positive("E");
-  return {head.density, E, poissons_ratio(head.card, file)};
-}
-inline std::optional<FailureStrain> failure_at(double strain) {
-  return strain > 0 && strain < 1e6 ? std::optional(FailureStrain{strain}) : std::nullopt;
-}
 /// H = E ETAN/(E - ETAN).
 inline double hardening_modulus(const Elastic& m, double tangent, const File& file) {
   if (!(tangent < m.youngs_modulus)) file.refuse({"ETAN is not below E: correct the tangent modulus."});
@@ -68,160 +35,6 @@ inline void expect_plastic_rate(File& file, double VP, bool has_rate) {
   if (VP != 1 && has_rate) file.ignore(1, "VP 0 (the rate is that of the plastic strain, as of VP 1)");
 }
 
-using Points = std::vector<TabulatedHardening::Point>;
-
-/// EPS and ES: strains on so many cards of eight, and as many of stresses; none if all are 0 or blank.
-inline Points points_of(File& file, int cards) {
-  Points points(static_cast<std::size_t>(8 * cards));
-  std::size_t count = 0;
-  for (double TabulatedHardening::Point::*member :
-       {&TabulatedHardening::Point::plastic_strain, &TabulatedHardening::Point::stress})
-    for (std::size_t i = 0; i < points.size();) {
-      Card card = file.card();
-      for (int k = 0; k < 8; ++k, ++i) {
-        points[i].*member = card.number("a point of the table");
-        if (points[i].*member != 0) count = std::max(count, i + 1);
-      }
-    }
-  points.resize(count);
-  return points;
-}
-inline bool are_sorted(const Points& points) {
-  const auto turn = [](const auto& a, const auto& b) { return !(a.plastic_strain < b.plastic_strain); };
-  return std::adjacent_find(points.begin(), points.end(), turn) == points.end();
-}
-/// Points from the plastic strain 0 on. As LS-DYNA has it, the first and the last line go on beyond their ends; the
-/// stress is at least 0.
-inline Points from_zero(Points points) {
-  constexpr double far = 1000;  // beyond any plastic strain
-  if (points.empty() || !are_sorted(points)) return points;
-  if (points.size() == 1) return {{0, points[0].stress}};
-  const auto slope = [&](std::size_t i) {
-    return (points[i + 1].stress - points[i].stress) / (points[i + 1].plastic_strain - points[i].plastic_strain);
-  };
-  std::size_t first = 0;  // point after 0, whose line begins at the one before, or else at itself
-  while (first < points.size() && points[first].plastic_strain <= 0) ++first;
-  const std::size_t line = std::min(first > 0 ? first - 1 : 0, points.size() - 2);
-  Points all{{0, points[line].stress - points[line].plastic_strain * slope(line)}};
-  if (first > 0 && points[first - 1].plastic_strain == 0) all[0].stress = points[first - 1].stress;
-  all.insert(all.end(), points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
-  const double last = slope(points.size() - 2);
-  const auto [strain, stress] = all.back();
-  if (last > 0) all.push_back({strain + far, stress + far * last});
-  if (last < 0 && stress > 0) all.push_back({strain - stress / last, 0});
-  return all;
-}
-/// A law of points. Error: no material can follow these.
-template <class Make>
-auto made_of_points(FileNumber material, std::uint32_t line, const File& file, Make make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    std::string_view why = error.what();
-    why.remove_prefix(std::min(why.size(), std::string_view("strike: ").size()));
-    file.source().refuse(line, {"material ", std::to_string(material), " cannot follow its points: ", why});
-  }
-}
-inline TabulatedHardening hardening_of(double G, const Points& points, FileNumber material, std::uint32_t line,
-                                       const File& file) {
-  return made_of_points(material, line, file, [&] { return TabulatedHardening(G, points); });
-}
-/// Points of a curve of stress over plastic strain.
-inline Points points_of(const CurveCard& curve) {
-  Points points;
-  for (const auto& [strain, stress] : curve.points) points.push_back({strain, stress});
-  return from_zero(std::move(points));
-}
-/// Raises the stresses of tests where they lie below those of the slower one before. True if any did where both are
-/// given, and not only where their last lines go on.
-inline bool uncross(std::vector<TabulatedRates::Test>& tests, Allowance& allowance, std::uint32_t line) {
-  for (const TabulatedRates::Test& test : tests)
-    if (test.points.empty() || !are_sorted(test.points)) return false;  // no law takes it
-  bool crosses = false;
-  for (std::size_t i = 1; i < tests.size(); ++i) {
-    std::vector<double> strains;
-    for (const Points& points : {std::cref(tests[i - 1].points), std::cref(tests[i].points)})
-      for (const auto& point : points) strains.push_back(point.plastic_strain);
-    std::sort(strains.begin(), strains.end());
-    strains.erase(std::unique(strains.begin(), strains.end()), strains.end());
-    allowance.take(strains.size(), line);
-    const std::vector<double> slower = stresses_at(tests[i - 1].points, strains);
-    const std::vector<double> stresses = stresses_at(tests[i].points, strains);
-    Points raised;
-    bool is_below = false;
-    for (std::size_t j = 0; j < strains.size(); ++j) {
-      const double lack = slower[j] - stresses[j], before = j > 0 ? slower[j - 1] - stresses[j - 1] : 0;
-      if (lack * before < 0) {  // they cross between
-        const double share = before / (before - lack), e = strains[j - 1] + share * (strains[j] - strains[j - 1]);
-        if (e > strains[j - 1] && e < strains[j])
-          raised.push_back({e, slower[j - 1] + share * (slower[j] - slower[j - 1])});
-      }
-      raised.push_back({strains[j], std::max(stresses[j], slower[j])});
-      is_below |= lack > 0;
-      crosses |= lack > 1e-9 * slower[j] && strains[j] < 100;
-    }
-    if (is_below) tests[i].points = std::move(raised);
-  }
-  return crosses;
-}
-
-/// The materials that follow curves. Errors: a curve that is not there; points that no material can follow.
-inline void complete_materials(Draft& draft, File& file, Allowance& allowance) {
-  if (draft.hardenings.empty()) return;
-  DynaDeck& deck = draft.deck;
-  std::map<FileNumber, const CurveCard*> curves;
-  std::map<FileNumber, const TableCard*> tables;
-  for (const CurveCard& curve : deck.curves) curves.try_emplace(curve.number, &curve);
-  for (const TableCard& table : deck.tables) tables.try_emplace(table.number, &table);
-  for (PendingHardening& pending : draft.hardenings) {
-    MaterialCard& card = deck.materials[pending.material];
-    const auto curve = [&](FileNumber number) -> const CurveCard& {
-      if (const auto found = curves.find(number); found != curves.end()) {
-        allowance.take(found->second->points.size(), pending.line);
-        return *found->second;
-      }
-      const std::string skipped = file.skipped("*DEFINE_");
-      file.source().refuse(pending.line,
-                           {"the curve ", std::to_string(number), " of material ", std::to_string(card.number),
-                            " is not in the file", skipped.empty() ? "" : " (", skipped,
-                            skipped.empty() ? "" : " was skipped)", ": define it or correct the card."});
-    };
-    std::vector<TabulatedRates::Test> tests;
-    bool has_logarithms = pending.has_logarithms;
-    const auto found = tables.find(pending.curve);
-    const bool has_rates = found != tables.end() || pending.rate_curve != 0;
-    if (found != tables.end()) {
-      const TableCard& table = *found->second;
-      const bool are_logarithms = !table.values.empty() && table.values.front() < 0;  // values of LS-DYNA
-      has_logarithms |= are_logarithms;
-      for (std::size_t i = 0; i < table.values.size(); ++i)
-        tests.push_back(
-            {are_logarithms ? std::exp(table.values[i]) : table.values[i], points_of(curve(table.curves[i]))});
-    } else {
-      if (pending.curve != 0) pending.points = points_of(curve(pending.curve));
-      if (pending.rate_curve != 0)
-        for (const auto& [rate, factor] : curve(pending.rate_curve).points) {
-          allowance.take(pending.points.size(), pending.line);
-          tests.push_back({rate, pending.points});
-          for (auto& point : tests.back().points) point.stress *= factor;
-        }
-    }
-    if (uncross(tests, allowance, pending.line))
-      file.ignore_on_line(pending.line, "A stress below that of a slower curve (which is taken) of a table");
-    const double G = pending.shear_modulus;
-    if (!has_rates) {
-      card.material = TabulatedMaterial{pending.eos, hardening_of(G, pending.points, card.number, pending.line, file),
-                                        pending.rate, pending.failure};
-    } else {
-      const auto between = has_logarithms ? TabulatedRates::Between::logarithms : TabulatedRates::Between::rates;
-      card.material = TabulatedRatesMaterial{
-          pending.eos,
-          made_of_points(card.number, pending.line, file, [&] { return TabulatedRates(G, tests, between); }),
-          pending.failure};
-    }
-  }
-}
-
 inline void elastic(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
   const Elastic material = elastic_of(head, file);
@@ -232,16 +45,228 @@ inline void plastic_kinematic(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
   const Elastic m = elastic_of(head, file);
   const double yield = head.card.number("SIGY"), tangent = head.card.number("ETAN"), beta = head.card.number("BETA");
-  if (tangent != 0) file.ignore(1 - beta, "BETA (hardening is isotropic here)");
+  if (!(beta >= 0 && beta <= 1)) file.refuse({"BETA is not between 0 and 1: correct it."});
+  const std::uint32_t line = file.line();
   Card rate = file.card();
   const double D = rate.number("SRC"), p = rate.number("SRP");
   const auto constants = rate_constants(D, p);
-  PlasticMaterial material =
-      plastic({m.density, m.bulk_modulus()}, m.shear_modulus(), yield, hardening_modulus(m, tangent, file), constants);
-  material.failure = failure_at(rate.number("FS"));
+  const double hardening = hardening_modulus(m, tangent, file);
+  const auto failure = failure_at(rate.number("FS"));
   expect_plastic_rate(file, rate.number("VP"), constants.has_value());
   file.ignore_rest(head.card, rate);
+  const LinearEos eos{m.density, m.bulk_modulus()};
+  if (hardening > 0 && beta < 1 && !constants) {
+    add(file, draft, head, KinematicMaterial{eos, {m.shear_modulus(), yield, hardening, beta}, failure});
+    return;
+  }
+  if (hardening > 0 && beta < 1)
+    file.ignore_on_line(line, joined({"BETA (hardening with a rate is isotropic here) of ", file.name()}));
+  PlasticMaterial material = plastic(eos, m.shear_modulus(), yield, hardening, constants);
+  material.failure = failure;
   add(file, draft, head, material);
+}
+inline void isotropic_plastic(File& file, Draft& draft) {
+  MaterialHead head = material_head(file, draft);
+  const double G = head.card.positive("G"), yield = head.card.number("SIGY"), hardening = head.card.number("ETAN");
+  const double K = head.card.positive("BULK");
+  file.ignore_rest(head.card);
+  add(file, draft, head, plastic({head.density, K}, G, yield, hardening, std::nullopt));
+}
+/// K (e0 + e)^N: e0 is SIGY below 0.02, (SIGY/K)^(1/N) of a larger one, that of the elastic line, (E/K)^(1/(N - 1)), of
+/// none.
+inline void power_law(File& file, Draft& draft) {
+  MaterialHead head = material_head(file, draft);
+  const Elastic m = elastic_of(head, file);
+  const double K = head.card.positive("K"), n = head.card.number("N", 1);
+  if (!(n > 0 && n <= 1)) file.refuse({"N is not between 0 and 1: correct it."});
+  const double D = head.card.number("SRC"), p = head.card.number("SRP");
+  const auto constants = rate_constants(D, p);
+  Card more = file.card();
+  const double yield = more.number("SIGY");
+  expect_plastic_rate(file, more.number("VP"), constants.has_value());
+  const auto failure = failure_at(more.number("EPSF"));
+  file.ignore_rest(head.card, more);
+  const double e0 = yield == 0     ? std::pow(m.youngs_modulus / K, 1 / (n - 1))
+                    : yield < 0.02 ? yield
+                                   : std::pow(yield / K, 1 / n);
+  if (!(e0 > 0) || !std::isfinite(e0)) file.refuse({"K and N leave no strain at yield: give the material its SIGY."});
+  add(file, draft, head,
+      PowerMaterial{{m.density, m.bulk_modulus()}, {m.shear_modulus(), K, n, e0}, constants, failure});
+}
+inline void simplified_johnson_cook(File& file, Draft& draft) {
+  MaterialHead head = material_head(file, draft);
+  const Elastic m = elastic_of(head, file);
+  const double VP = head.card.number("VP");
+  Card law = file.card();
+  JohnsonCook s{.shear_modulus = m.shear_modulus(), .A = law.number("A"), .B = law.number("B"), .n = 1};
+  s.n = law.number("N", 1), s.C = law.number("C");
+  const auto failure = failure_at(law.number("PSFAIL"));
+  file.ignore(law.number("SIGMAX"), "SIGMAX");
+  file.ignore(law.number("SIGSAT"), "SIGSAT");
+  s.reference_rate = law.number("EPS0", 1);
+  expect_plastic_rate(file, VP, s.C != 0);
+  file.ignore_rest(head.card);
+  add(file, draft, head, SimplifiedJohnsonCookMaterial{{m.density, m.bulk_modulus()}, s, failure});
+}
+/// Of fcc metals N is 0: C1 + {C2 sqrt(e) exp[(-C3 + C4 ln r) T] + C5} m; of bcc metals
+/// C1 + C2 exp[(-C3 + C4 ln r) T] + [C5 e^N + C6] m, where m = B1 + B2 T + B3 T^2 stays that of TROOM; 1 without any.
+inline void zerilli_armstrong(File& file, Draft& draft) {
+  MaterialHead head = material_head(file, draft);
+  ZerilliArmstrong s{.shear_modulus = head.card.positive("G"), .C0 = 0, .C3 = 0, .C4 = 0};
+  s.reference_rate = head.card.number("E0", 1);
+  const double n = head.card.number("N");
+  s.initial_temperature = head.card.number("TROOM", 293);
+  const double cutoff = head.card.number("PC");
+  file.ignore(head.card.number("SPALL", 1) - 1, "SPALL");
+  Card law = file.card();
+  std::array<double, 7> C{};
+  for (std::size_t i = 1; i <= 6; ++i) C[i] = law.number("C1 to C6");
+  const auto failure = failure_at(law.number("EFAIL"));
+  expect_plastic_rate(file, law.number("VP"), true);
+  Card heat = file.card();
+  const double B1 = heat.number("B1"), B2 = heat.number("B2"), B3 = heat.number("B3"), T = s.initial_temperature;
+  const double m = B1 == 0 && B2 == 0 && B3 == 0 ? 1 : B1 + T * (B2 + T * B3);
+  file.ignore(std::abs(B2) + std::abs(B3), "The change of B2 and B3 with the temperature");
+  const double capacity = heat.number("G1");
+  s.heating = capacity > 0 ? 1 / (head.density * capacity) : 0;
+  for (const char* name : {"G2", "G3", "G4"}) file.ignore(heat.number(name), name);
+  file.ignore(heat.number("BULK"), "BULK");
+  s.C3 = C[3], s.C4 = C[4];
+  if (n == 0)
+    s.C0 = C[1] + m * C[5], s.C2 = m * C[2];
+  else
+    s.C0 = C[1] + m * C[6], s.C1 = C[2], s.C5 = m * C[5], s.n = n;
+  if (Card last = file.card(); n == 0 && last.number("M", 0.5) != 0.5) file.ignore(1, "M");
+  add(file, draft, head, ZerilliArmstrongMaterial{head.density, s, failure}, cutoff);
+}
+/// CMO 1: CON1 and CON2 are axes of space that are held; CMO -1: CON1 is a coordinate system, CON2 has a digit 1 for
+/// each of its axes that is held, and about which.
+inline void rigid(File& file, Draft& draft) {
+  MaterialHead head = material_head(file, draft);
+  RigidMaterial material{head.density, head.card.number("E"), poissons_ratio(head.card, file)};
+  for (const char* name : {"N", "COUPLE", "M"}) file.ignore(head.card.number(name), name);
+  if (!head.card.text().empty()) file.ignore(1, "ALIAS");
+  Card constraint = file.card();
+  const double frame = constraint.number("CMO");
+  if (frame == 1) {
+    material.held = held_by(constraint.integer("CON1"), "a rigid material", file);
+    material.held_turns = held_by(constraint.integer("CON2"), "a rigid material", file);
+  } else if (frame == -1) {
+    if (const FileNumber system = constraint.tag("CON1", Id::define); system != 0)
+      draft.rigid_systems.push_back({draft.deck.materials.size(), system, file.line()});
+    const FileNumber code = constraint.integer("CON2");
+    std::array<bool, 6> all{};
+    FileNumber left = code;
+    for (std::size_t i = 6; i-- > 0; left /= 10) {
+      if (left < 0 || left % 10 > 1) left = 10'000'000;
+      all[i] = left % 10 == 1;
+    }
+    if (left != 0) file.refuse({"CON2 ", std::to_string(code), " is none: give six digits 0 or 1, such as 111000."});
+    material.held = {all[0], all[1], all[2]}, material.held_turns = {all[3], all[4], all[5]};
+  } else if (frame != 0) {
+    file.refuse({"CMO is neither 1, 0 nor -1: correct it."});
+  }
+  Card axes = file.card();
+  file.ignore(axes.says_more(), "LCO or A and V");
+  add(file, draft, head, material);
+}
+/// The axis A where AOPT is 2; other ways to tell the fibres are not read.
+inline std::optional<Eigen::Vector3d> fibres_of(File& file, double aopt, Card& card) {
+  card.pass(3);
+  const Eigen::Vector3d A = card.vector("A1 to A3");
+  if (aopt == 2 && A.norm() > 0) return A;
+  file.ignore(aopt, "AOPT (the direction of fibres is that of the section)");
+  return std::nullopt;
+}
+/// EA, EB, EC, PRBA, PRCA, PRCB, then GAB, GBC, GCA and the fourth field of their card; AOPT follows.
+inline OrthotropicPly ply_of(File& file, MaterialHead& head, Card& shear) {
+  OrthotropicPly ply{
+      .density = head.density, .E1 = head.card.positive("EA"), .E2 = 0, .nu12 = 0, .G12 = 0, .G13 = 0, .G23 = 0};
+  ply.E2 = head.card.positive("EB");
+  head.card.pass(1);  // EC
+  ply.nu12 = head.card.number("PRBA") * ply.E1 / ply.E2;
+  if (!(ply.nu12 * ply.nu12 < ply.E1 / ply.E2)) file.refuse({"PRBA squared is not below EB/EA: correct it."});
+  head.card.pass(1);  // PRCA
+  if (const double ratio = head.card.number("PRCB"); ratio > -1 && ratio < 1 && ratio != 0) ply.nu23 = ratio;
+  ply.G12 = shear.positive("GAB");
+  ply.G23 = shear.number("GBC", ply.G12), ply.G13 = shear.number("GCA", ply.G12);
+  shear.pass(1);  // KFAIL, of solids
+  return ply;
+}
+inline double strength_of(Card& card, const char* name) { return std::abs(card.number(name, 1e50)); }
+inline void composite_damage(File& file, Draft& draft) {
+  MaterialHead head = material_head(file, draft);
+  Card shear = file.card();
+  PlyMaterial material{ply_of(file, head, shear), {}};
+  const double aopt = shear.number("AOPT");
+  file.ignore(shear.number("MACF", 1) - 1, "MACF");
+  Card place = file.card(), vectors = file.card(), strengths = file.card();
+  material.fibres = fibres_of(file, aopt, place);
+  vectors.pass(6);
+  material.ply.angle = vectors.number("BETA");
+  ChangChang& c = material.criterion;
+  c.Xc = 1e50, c.S = strength_of(strengths, "SC"), c.Xt = strength_of(strengths, "XT");
+  c.Yt = strength_of(strengths, "YT"), c.Yc = strength_of(strengths, "YC");
+  file.ignore(strengths.number("ALPH"), "ALPH");
+  strengths.pass(3);  // SN, SYZ, SZX, of solids
+  add(file, draft, head, material);
+}
+inline void enhanced_composite_damage(File& file, Draft& draft) {
+  MaterialHead head = material_head(file, draft);
+  Card shear = file.card();
+  PlyMaterial material{ply_of(file, head, shear), {}};
+  const double aopt = shear.number("AOPT");
+  file.ignore(shear.number("2WAY"), "2WAY");
+  Card place = file.card(), vectors = file.card(), failure = file.card(), strengths = file.card();
+  material.fibres = fibres_of(file, aopt, place);
+  material.ply.angle = place.number("MANGLE");
+  vectors.pass(6);
+  file.ignore(vectors.number("DFAILM"), "DFAILM");
+  file.ignore(vectors.number("DFAILS"), "DFAILS");
+  file.ignore(failure.number("TFAIL"), "TFAIL");
+  file.ignore(failure.number("ALPH"), "ALPH");
+  file.ignore(failure.number("SOFT", 1) - 1, "SOFT");
+  for (const char* name : {"FBRT", "YCFAC", "DFAILT", "DFAILC", "EFS"}) file.ignore(failure.number(name), name);
+  ChangChang& c = material.criterion;
+  c.Xc = strength_of(strengths, "XC"), c.Xt = strength_of(strengths, "XT"), c.Yc = strength_of(strengths, "YC");
+  c.Yt = strength_of(strengths, "YT"), c.S = strength_of(strengths, "SC");
+  if (const double criterion = strengths.number("CRIT", 54); criterion != 54) file.ignore(criterion, "CRIT");
+  c.beta = strengths.number("BETA");
+  if (!(c.beta >= 0 && c.beta <= 1)) file.refuse({"BETA is not between 0 and 1: correct it."});
+  add(file, draft, head, material);
+}
+/// A criterion that is 0 or EXCL is none.
+inline void add_erosion(File& file, Draft& draft) {
+  file.title();
+  Card card = file.card(), more = file.card();
+  ErosionCard erosion{.material = card.own_tag("MID", "material to erode", Id::material)};
+  const double excluded = card.number("EXCL");
+  const auto limit = [&](Card& from, const char* name) {
+    const double value = from.number(name);
+    return value == excluded ? 0 : value;
+  };
+  const auto ignored = [&](Card& from, const char* name) { file.ignore(limit(from, name), name); };
+  ignored(card, "MXPRES"), ignored(card, "MNEPS");
+  if (const double strain = std::abs(limit(card, "EFFEPS")); strain != 0) erosion.strain = strain;
+  const double volume = limit(card, "VOLEPS");
+  if (volume < 0) erosion.volume = std::exp(volume);
+  if (volume > 0) file.ignore(volume, "VOLEPS above 0");
+  if (const double points = card.number("NUMFIP", 1); points != 1) file.ignore(points, "NUMFIP");
+  if (const double count = card.number("NCS", 1); count != 1) file.ignore(count, "NCS");
+  ignored(more, "MNPRES");
+  if (const double stress = limit(more, "SIGP1"); stress > 0) erosion.principal_stress = PrincipalStress{stress};
+  if (const double stress = limit(more, "SIGVM"); stress > 0)
+    erosion.equivalent_stress = UltimateStress{stress};
+  else
+    file.ignore(stress, "SIGVM below 0");
+  ignored(more, "MXEPS"), ignored(more, "EPSSH");
+  const double threshold = limit(more, "SIGTH"), impulse = limit(more, "IMPULSE");
+  if (impulse > 0 && threshold >= 0) {  // int max(0, s1 - SIGTH)^2 dt = IMPULSE
+    const double S = threshold > 0 ? threshold : 1;
+    erosion.impulse = TulerButcher{.threshold = threshold, .strength = S, .duration = impulse / (S * S), .exponent = 2};
+  }
+  ignored(more, "FAILTM");
+  draft.deck.erosions.push_back(erosion);
 }
 /// LCSS counts before EPS and ES, these before SIGY and ETAN; a table before LCSR, that before C and P.
 inline void piecewise_plastic(File& file, Draft& draft) {
@@ -324,9 +349,7 @@ inline void null(File& file, Draft& draft) {
 }
 
 inline void linear_polynomial(File& file, Draft& draft) {
-  file.title();
-  Card card = file.card();
-  const FileNumber number = draft.own_number("equation of state", Id::material, card, file);
+  auto [card, number] = eos_head(file, draft);
   PolynomialEos eos{.density = 0};
   for (double* C : {&eos.C0, &eos.C1, &eos.C2, &eos.C3, &eos.C4, &eos.C5, &eos.C6}) *C = card.number("C0 to C6");
   Card start = file.card();
@@ -336,9 +359,7 @@ inline void linear_polynomial(File& file, Draft& draft) {
   draft.deck.equations_of_state.push_back({number, file.name(), eos});
 }
 inline void gruneisen(File& file, Draft& draft) {
-  file.title();
-  Card card = file.card();
-  const FileNumber number = draft.own_number("equation of state", Id::material, card, file);
+  auto [card, number] = eos_head(file, draft);
   GruneisenEos eos{.density = 0, .sound_speed = card.positive("C"), .S1 = card.number("S1"), .gamma = 0};
   eos.S2 = card.number("S2"), eos.S3 = card.number("S3"), eos.gamma = card.number("GAMAO"), eos.a = card.number("A");
   eos.initial_energy = card.number("E0");
@@ -361,6 +382,32 @@ inline constexpr auto material_keywords = std::to_array<Keyword>({
     {"*MAT_015", johnson_cook},
     {"*MAT_NULL", null},
     {"*MAT_009", null},
+    {"*MAT_ISOTROPIC_ELASTIC_PLASTIC", isotropic_plastic},
+    {"*MAT_012", isotropic_plastic},
+    {"*MAT_POWER_LAW_PLASTICITY", power_law},
+    {"*MAT_018", power_law},
+    {"*MAT_SIMPLIFIED_JOHNSON_COOK", simplified_johnson_cook},
+    {"*MAT_098", simplified_johnson_cook},
+    {"*MAT_MODIFIED_ZERILLI_ARMSTRONG", zerilli_armstrong},
+    {"*MAT_065", zerilli_armstrong},
+    {"*MAT_MOONEY-RIVLIN_RUBBER", mooney_rivlin},
+    {"*MAT_027", mooney_rivlin},
+    {"*MAT_VISCOELASTIC", viscoelastic},
+    {"*MAT_006", viscoelastic},
+    {"*MAT_GENERAL_VISCOELASTIC", general_viscoelastic},
+    {"*MAT_076", general_viscoelastic},
+    {"*MAT_RIGID", rigid},
+    {"*MAT_020", rigid},
+    {"*MAT_HIGH_EXPLOSIVE_BURN", explosive},
+    {"*MAT_008", explosive},
+    {"*MAT_COMPOSITE_DAMAGE", composite_damage, Invariant::none},
+    {"*MAT_022", composite_damage, Invariant::none},
+    {"*MAT_ENHANCED_COMPOSITE_DAMAGE", enhanced_composite_damage, Invariant::none},
+    {"*MAT_054", enhanced_composite_damage, Invariant::none},
+    {"*MAT_ADD_EROSION", add_erosion},
+    {"*EOS_JWL", jwl},
+    {"*EOS_002", jwl},
+    {"*INITIAL_DETONATION", detonations, Invariant::none},
     {"*EOS_LINEAR_POLYNOMIAL", linear_polynomial},
     {"*EOS_001", linear_polynomial},
     {"*EOS_GRUNEISEN", gruneisen},

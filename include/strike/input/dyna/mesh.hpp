@@ -13,19 +13,6 @@
 // Nodes, elements and parts.
 namespace strike::detail::dyna {
 
-/// TC and RC of a node: which of x, y, z are held.
-inline std::array<bool, 3> held_by(FileNumber code, const File& file) {
-  constexpr std::array<std::array<bool, 3>, 8> codes{{{false, false, false},
-                                                      {true, false, false},
-                                                      {false, true, false},
-                                                      {false, false, true},
-                                                      {true, true, false},
-                                                      {false, true, true},
-                                                      {true, false, true},
-                                                      {true, true, true}}};
-  if (code < 0 || code > 7) file.refuse({"the constraint ", std::to_string(code), " of a node is none: give 0 to 7."});
-  return codes[static_cast<std::size_t>(code)];
-}
 inline void nodes(File& file, Draft& draft) {
   MovedNodes moved{file.motion(), draft.raw.nodes.size(), 0, 0};
   file.for_each_card([&](Card card) {
@@ -35,7 +22,8 @@ inline void nodes(File& file, Draft& draft) {
     draft.raw.nodes.push_back({number, x, file.line()});
     if (card.is_blank()) return;
 
-    const auto held = held_by(card.integer("TC", 0, 8), file), held_turns = held_by(card.integer("RC", 0, 8), file);
+    const auto held = held_by(card.integer("TC", 0, 8), "a node", file),
+               held_turns = held_by(card.integer("RC", 0, 8), "a node", file);
     if (constexpr std::array free{false, false, false}; held != free || held_turns != free)
       draft.support_node({{}, held, held_turns}, {Named::node, number, file.line()}), moved.held = file.line();
   });

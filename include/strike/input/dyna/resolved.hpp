@@ -14,7 +14,7 @@
 #include <strike/ascending.hpp>
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
-#include <strike/input/dyna/materials.hpp>
+#include <strike/input/dyna/hardening.hpp>
 #include <strike/input/dyna/sets.hpp>
 #include <strike/input/dyna/transformations.hpp>
 #include <strike/input/raw_mesh.hpp>
@@ -305,6 +305,8 @@ inline DynaDeck resolved(Draft draft, File& file) {
     contact.master = contact_side(master, "MSTYP", line, lookup, deck, file);
     deck.contacts.push_back(std::move(contact));
   }
+  for (const auto& [material, system, line] : draft.rigid_systems)
+    std::get<RigidMaterial>(deck.materials[material].material).system = lookup.axes({Named::all, system, line});
   file.tell(deck.warnings);
   return std::move(deck);
 }
