@@ -8,6 +8,7 @@
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/file.hpp>
+#include <strike/input/dyna/forces.hpp>
 #include <strike/input/dyna/loads.hpp>
 #include <strike/input/dyna/materials.hpp>
 #include <strike/input/dyna/mesh.hpp>
@@ -31,7 +32,7 @@ inline const Keyword* find_keyword(std::string_view name) {
       if (keyword.name == name) found = &keyword;
   };
   search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
-  search(section_keywords), search(load_keywords), search(definition_keywords);
+  search(section_keywords), search(load_keywords), search(force_keywords), search(definition_keywords);
   return found;
 }
 /// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <strike/input/deck.hpp>
+#include <strike/input/dyna_load_cards.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/eos/gruneisen.hpp>
 #include <strike/material/eos/linear.hpp>
@@ -218,6 +219,10 @@ struct DynaDeck : Deck {
   std::vector<HourglassCard> hourglass_controls = {};
   std::vector<SupportCard> supports = {};
   std::vector<VelocityCard> velocities = {};
+  std::vector<BodyLoadCard> body_loads = {};
+  std::vector<NodalLoadCard> nodal_loads = {};
+  std::vector<PressureLoadCard> pressures = {};
+  std::vector<PrescribedMotionCard> motions = {};
   std::vector<WallCard> walls = {};
   std::vector<ContactCard> contacts = {};
   std::vector<NamedSet> part_sets = {};  ///< members are places in `parts`

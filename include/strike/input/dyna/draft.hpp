@@ -18,7 +18,7 @@
 namespace strike::detail::dyna {
 
 /// Nodes that a card names, found when the whole file has been read.
-enum class Named { all, node, set, part, part_set, box };
+enum class Named { all, node, set, part, part_set, box, segment_set, shell, shell_set };
 struct Choice {
   Named named;
   FileNumber number;
@@ -31,7 +31,39 @@ template <class Card>
 struct Pending {
   Card card;
   std::vector<Choice> choices;
-  FileNumber system = 0;  ///< CID of a support
+  FileNumber system = 0;  ///< CID
+  std::uint32_t line = 0;
+};
+
+struct PendingSegments {
+  struct Segment {
+    std::array<FileNumber, 4> corners;
+    std::uint32_t line;
+  };
+  FileNumber number;
+  std::string name;
+  std::vector<Segment> segments;
+};
+
+/// A pressure on segments by their corners, and on sets of segments, shells and sets of shells.
+struct PendingPressure {
+  PressureLoadCard card;
+  std::vector<PendingSegments::Segment> segments;
+  std::vector<Choice> choices;
+  std::uint32_t line;
+};
+/// A motion along a vector (VID).
+struct PendingMotion {
+  PrescribedMotionCard card;
+  std::vector<Choice> choices;
+  FileNumber vector;
+  std::uint32_t line;
+};
+/// *DEFINE_VECTOR, by its components or from one node to another.
+struct PendingVector {
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  FileNumber system = 0, tail = 0, head = 0;
+  std::uint32_t line = 0;
 };
 
 /// The side of a contact: SSID with SSTYP, or MSID with MSTYP.
@@ -50,15 +82,6 @@ struct PendingSet {
   std::string name;
   std::uint32_t line;
   std::vector<Choice> choices;
-};
-struct PendingSegments {
-  struct Segment {
-    std::array<FileNumber, 4> corners;
-    std::uint32_t line;
-  };
-  FileNumber number;
-  std::string name;
-  std::vector<Segment> segments;
 };
 
 /// Axes that are given by three nodes: the first is the origin.
@@ -125,6 +148,12 @@ struct Draft {
   std::vector<Pending<SupportCard>> set_supports = {};
   std::vector<Pending<VelocityCard>> velocities = {};
   std::vector<Pending<WallCard>> walls = {};
+  std::vector<Pending<BodyLoadCard>> body_loads = {};
+  std::vector<Choice> body_load_parts = {};
+  std::vector<Pending<NodalLoadCard>> nodal_loads = {};
+  std::vector<PendingPressure> pressures = {};
+  std::vector<PendingMotion> motions = {};
+  std::map<FileNumber, PendingVector> vectors = {};
   std::vector<PendingContact> contacts = {};
 
   /// The place of a part; its elements are the group of that number.

@@ -320,7 +320,8 @@ class File {
       return found;
     };
     const bool contact = base_.starts_with("*CONTACT_");
-    const bool has_id = contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_");
+    const bool has_id =
+        contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_") || base_.starts_with("*LOAD_");
     titled_ = (has_id && drop("_ID")) || ((contact || !has_id) && drop("_TITLE"));
     collects_ = base_.starts_with("*SET_") && drop("_COLLECT");
     if (collects_) titled_ |= drop("_TITLE");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <strike/input/dyna/draft.hpp>
+#include <strike/input/dyna/forces.hpp>
 
 // Supports, initial velocities, rigid walls and contacts.
 namespace strike::detail::dyna {
@@ -82,9 +83,6 @@ inline void generated_velocities(File& file, Draft& draft) {
     draft.velocities.push_back({velocity, {{kinds[number == 0 ? 0 : std::size_t(kind)], number, line}}});
   });
 }
-
-/// True for times of death beyond the end of any run, which have no effect.
-inline double early(double death) { return death < 1e20 ? death : 0; }
 
 inline void wall(File& file, Draft& draft) {
   file.title();
