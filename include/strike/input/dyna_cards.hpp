@@ -182,6 +182,26 @@ struct VelocityCard {
   Eigen::Vector3d at(const Eigen::Vector3d& x) const { return velocity + cross<double>(spin, x - centre); }
 };
 
+/// *CONSTRAINED_NODAL_RIGID_BODY, with _SPC and _INERTIA: `RigidBody{b.nodes, {}, HeldBody{b.held.directions(),
+/// b.held.axes()}}`; without elements at its nodes it needs an inertia.
+struct RigidBodyCard {
+  FileNumber number;  ///< PID
+  std::vector<Index> nodes;
+  std::optional<InertiaCard> inertia = {};  ///< of the body as a whole, with the masses that its nodes have
+  SupportCard held = {};                    ///< CON1 and CON2, without nodes
+};
+
+/// *CONSTRAINED_RIGID_BODIES: a rigid body that moves with another, by the numbers of their parts.
+struct RigidMergeCard {
+  FileNumber lead, constrained;
+};
+
+/// *CONSTRAINED_EXTRA_NODES_NODE and _SET: nodes that move with a part that is rigid.
+struct ExtraNodesCard {
+  FileNumber part;
+  std::vector<Index> nodes;
+};
+
 /// *RIGIDWALL_PLANAR: `RigidWall{w.point, w.normal, w.nodes, w.friction}`.
 struct WallCard {
   Eigen::Vector3d point, normal;
@@ -228,6 +248,9 @@ struct DynaDeck : Deck {
   std::vector<NamedSet> part_sets = {};  ///< members are places in `parts`
   std::vector<SegmentSet> segment_sets = {};
   std::vector<InertiaCard> inertias = {};
+  std::vector<RigidBodyCard> rigid_bodies = {};
+  std::vector<RigidMergeCard> rigid_merges = {};
+  std::vector<ExtraNodesCard> extra_nodes = {};
   std::vector<CompositeCard> composites = {};
   std::vector<ShellCard> shells = {};  ///< of plates that have values of their own, in ascending order
   std::vector<CurveCard> curves = {};

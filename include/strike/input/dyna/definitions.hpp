@@ -157,7 +157,8 @@ inline void place_by_nodes(Draft& draft, const File& file) {
   for (auto& [number, vector] : draft.vectors)
     if (vector.tail != 0) vector.vector = position(vector.head, vector.line) - position(vector.tail, vector.line);
   for (const PendingCentre& pending : draft.centres)
-    draft.deck.inertias[pending.inertia].centre = position(pending.node, pending.line);
+    (pending.of_body ? draft.rigid_bodies[pending.inertia].card.inertia.value() : draft.deck.inertias[pending.inertia])
+        .centre = position(pending.node, pending.line);
 }
 
 inline constexpr auto definition_keywords = std::to_array<Keyword>({

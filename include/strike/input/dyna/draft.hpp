@@ -93,9 +93,10 @@ struct PendingSystem {
 };
 /// A centre that is given by a node.
 struct PendingCentre {
-  std::size_t inertia;  ///< its place in the deck
+  std::size_t inertia;  ///< its place in the deck, or that of its rigid body in the draft
   FileNumber node;
   std::uint32_t line;
+  bool of_body = false;
 };
 struct PendingShell {
   FileNumber number;
@@ -152,6 +153,9 @@ struct Draft {
   std::vector<Choice> body_load_parts = {};
   std::vector<Pending<NodalLoadCard>> nodal_loads = {};
   std::vector<PendingPressure> pressures = {};
+  std::vector<Pending<RigidBodyCard>> rigid_bodies = {};
+  std::vector<Pending<RigidMergeCard>> rigid_merges = {};
+  std::vector<Pending<ExtraNodesCard>> extra_nodes = {};
   std::vector<PendingMotion> motions = {};
   std::map<FileNumber, PendingVector> vectors = {};
   std::vector<PendingContact> contacts = {};

@@ -145,7 +145,7 @@ class Lookup {
   }
   /// Error: neither a part nor a rigid body of nodes has that number.
   void expect_body(const Choice& choice) const {
-    if (!draft_.defined.contains({"part", choice.number})) found(draft_.parts, choice, "part", "*PART");
+    if (!draft_.defined.contains({"rigid body", choice.number})) found(draft_.parts, choice, "part", "*PART");
   }
   /// The axes of a coordinate system.
   const Eigen::Matrix3d& axes(const Choice& choice) const {

@@ -190,6 +190,7 @@ inline DynaDeck resolved(Draft draft, File& file) {
   };
   add(deck.supports, draft.node_supports), add(deck.supports, draft.set_supports);
   add(deck.velocities, draft.velocities), add(deck.walls, draft.walls);
+  resolve_bodies(draft, lookup, deck);
   resolve_loads(draft, lookup, deck, file);
   for (auto& [contact, slave, master, line] : draft.contacts) {
     contact.slave = contact_side(slave, "SSTYP", line, lookup, deck, file);

@@ -32,6 +32,22 @@ inline void follow_curve(CardHistory& history, std::uint32_t line, const Lookup&
   }
 }
 
+inline void resolve_bodies(Draft& draft, const Lookup& lookup, DynaDeck& deck) {
+  for (auto& [card, choices, system, line] : draft.rigid_bodies) {
+    card.nodes = lookup.nodes(choices);
+    if (system != 0) card.held.system = lookup.axes({Named::all, system, line});
+    deck.rigid_bodies.push_back(std::move(card));
+  }
+  for (const auto& [card, choices, system, line] : draft.rigid_merges) {
+    lookup.expect_body({Named::part, card.lead, line}), lookup.expect_body({Named::part, card.constrained, line});
+    deck.rigid_merges.push_back(card);
+  }
+  for (auto& [card, choices, system, line] : draft.extra_nodes) {
+    lookup.expect_body({Named::part, card.part, line});
+    card.nodes = lookup.nodes(choices);
+    deck.extra_nodes.push_back(std::move(card));
+  }
+}
 inline void resolve_loads(Draft& draft, const Lookup& lookup, DynaDeck& deck, File& file) {
   std::vector<FileNumber> loaded;
   for (const Choice& set : draft.body_load_parts)
