@@ -41,7 +41,7 @@ void expect_whole(const strike::DynaDeck& deck) {
   };
   expect_nodes(deck.supports), expect_nodes(deck.velocities), expect_nodes(deck.walls);
   expect_nodes(deck.nodal_loads), expect_nodes(deck.motions);
-  expect_nodes(deck.rigid_bodies), expect_nodes(deck.extra_nodes);
+  expect_nodes(deck.rigid_bodies), expect_nodes(deck.extra_nodes), expect_nodes(deck.obstacles);
   for (const auto& pressure : deck.pressures)
     for (const auto& segment : pressure.segments)
       for (const strike::Index node : segment) expect(node < deck.mesh.nodes.size());

@@ -18,6 +18,7 @@
 #include <strike/input/dyna/sections.hpp>
 #include <strike/input/dyna/sets.hpp>
 #include <strike/input/dyna/transformations.hpp>
+#include <strike/input/dyna/walls.hpp>
 #include <strike/input/dyna_cards.hpp>
 #include <strike/input/source.hpp>
 
@@ -29,12 +30,14 @@ inline const Keyword* find_keyword(std::string_view name) {
   const Keyword* found = parameter_keyword(name);
   if (!found) found = keyword_with_options(name);
   if (!found) found = rigid_body_keyword(name);
+  if (!found) found = wall_keyword(name);
   const auto search = [&](const auto& keywords) {
     for (const Keyword& keyword : keywords)
       if (keyword.name == name) found = &keyword;
   };
   search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
-  search(section_keywords), search(load_keywords), search(force_keywords), search(rigid_keywords), search(definition_keywords);
+  search(section_keywords), search(load_keywords), search(force_keywords), search(rigid_keywords),
+      search(definition_keywords);
   return found;
 }
 /// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <strike/input/deck.hpp>
+#include <strike/input/dyna_contact_cards.hpp>
 #include <strike/input/dyna_load_cards.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/eos/gruneisen.hpp>
@@ -202,27 +203,6 @@ struct ExtraNodesCard {
   std::vector<Index> nodes;
 };
 
-/// *RIGIDWALL_PLANAR: `RigidWall{w.point, w.normal, w.nodes, w.friction}`.
-struct WallCard {
-  Eigen::Vector3d point, normal;
-  std::vector<Index> nodes;
-  double friction;
-};
-
-/// One side of a contact: the parts, the nodes or the faces that it names. Without any: all parts.
-struct ContactSide {
-  std::vector<FileNumber> parts = {};
-  std::vector<Index> nodes = {};
-  std::vector<std::array<Index, 4>> segments = {};
-};
-
-/// *CONTACT_AUTOMATIC_...
-struct ContactCard {
-  std::string kind;  ///< what follows *CONTACT_AUTOMATIC_, such as "SURFACE_TO_SURFACE"
-  ContactSide slave, master;
-  double static_friction = 0, dynamic_friction = 0, decay = 0;  ///< FS, FD, DC: FD + (FS - FD) exp(-DC v)
-};
-
 /// *SET_SEGMENT: faces by their corners; a triangle repeats its last one.
 struct SegmentSet {
   FileNumber number;
@@ -244,6 +224,7 @@ struct DynaDeck : Deck {
   std::vector<PressureLoadCard> pressures = {};
   std::vector<PrescribedMotionCard> motions = {};
   std::vector<WallCard> walls = {};
+  std::vector<ObstacleCard> obstacles = {};
   std::vector<ContactCard> contacts = {};
   std::vector<NamedSet> part_sets = {};  ///< members are places in `parts`
   std::vector<SegmentSet> segment_sets = {};

@@ -149,6 +149,7 @@ struct Draft {
   std::vector<Pending<SupportCard>> set_supports = {};
   std::vector<Pending<VelocityCard>> velocities = {};
   std::vector<Pending<WallCard>> walls = {};
+  std::vector<Pending<ObstacleCard>> obstacles = {};
   std::vector<Pending<BodyLoadCard>> body_loads = {};
   std::vector<Choice> body_load_parts = {};
   std::vector<Pending<NodalLoadCard>> nodal_loads = {};

@@ -6,7 +6,7 @@
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/forces.hpp>
 
-// Supports, initial velocities, rigid walls and contacts.
+// Supports, initial velocities and contacts.
 namespace strike::detail::dyna {
 
 /// Calls f with each support and the choice of its nodes; a line of zeros is none.
@@ -84,24 +84,6 @@ inline void generated_velocities(File& file, Draft& draft) {
   });
 }
 
-inline void wall(File& file, Draft& draft) {
-  file.title();
-  Card card = file.card();
-  const std::uint32_t line = file.line();
-  const FileNumber set = card.tag("NSID", Id::set);
-  for (const char* what : {"NSIDEX", "BOXID", "OFFSET", "BIRTH"}) file.ignore(card.number(what), what);
-  file.ignore(early(card.number("DEATH")), "DEATH");
-  Card plane = file.card();
-  WallCard wall{plane.vector("XT to ZT"), {}, {}, 0};
-  wall.normal = plane.vector("XH to ZH") - wall.point;
-  if (!(wall.normal.norm() > 0))
-    file.refuse({"the normal of the wall has no length: give it a head that is not its tail."});
-  wall.normal.normalize();
-  wall.friction = plane.number("FRIC");
-  file.ignore_rest(card, plane);
-  draft.walls.push_back({wall, {set_or_all(set, line)}});
-}
-
 inline void contact(File& file, Draft& draft) {
   file.title();
   Card card = file.card();
@@ -136,7 +118,6 @@ inline constexpr auto load_keywords = std::to_array<Keyword>({
     {"*INITIAL_VELOCITY", velocity, Invariant::none},
     {"*INITIAL_VELOCITY_NODE", node_velocities, Invariant::none},
     {"*INITIAL_VELOCITY_GENERATION", generated_velocities, Invariant::none},
-    {"*RIGIDWALL_PLANAR", wall, Invariant::none},
     {"*CONTACT_AUTOMATIC_SINGLE_SURFACE", contact},
     {"*CONTACT_AUTOMATIC_GENERAL", contact},
     {"*CONTACT_AUTOMATIC_NODES_TO_SURFACE", contact},

@@ -189,7 +189,8 @@ inline DynaDeck resolved(Draft draft, File& file) {
     }
   };
   add(deck.supports, draft.node_supports), add(deck.supports, draft.set_supports);
-  add(deck.velocities, draft.velocities), add(deck.walls, draft.walls);
+  add(deck.velocities, draft.velocities);
+  resolve_walls(draft, lookup, deck, file);
   resolve_bodies(draft, lookup, deck);
   resolve_loads(draft, lookup, deck, file);
   for (auto& [contact, slave, master, line] : draft.contacts) {

@@ -48,6 +48,16 @@ inline void resolve_bodies(Draft& draft, const Lookup& lookup, DynaDeck& deck) {
     deck.extra_nodes.push_back(std::move(card));
   }
 }
+inline void resolve_walls(Draft& draft, const Lookup& lookup, DynaDeck& deck, File& file) {
+  const auto add = [&](auto& cards, auto& pending) {
+    for (auto& [card, choices, system, line] : pending) {
+      card.nodes = lookup.nodes(choices);
+      if (card.motion) follow_curve(card.motion->history, line, lookup, deck, file);
+      cards.push_back(std::move(card));
+    }
+  };
+  add(deck.walls, draft.walls), add(deck.obstacles, draft.obstacles);
+}
 inline void resolve_loads(Draft& draft, const Lookup& lookup, DynaDeck& deck, File& file) {
   std::vector<FileNumber> loaded;
   for (const Choice& set : draft.body_load_parts)
