@@ -330,24 +330,24 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 0,0,0,0,.5
 0,0,0,0,0,1
 *CONTACT_AUTOMATIC_SINGLE_SURFACE
-4,0,1
+4,0,7
 *CONTROL_TERMINATION
 1
 2
-*CONTACT_TIED_NODES_TO_SURFACE
+*CONTACT_INTERIOR
 *MAT_ELASTIC
 3,1,1,0,0,.1
 )");
   CHECK(deck.warnings ==
         std::vector<std::string>{
-            "*CONTACT_TIED_NODES_TO_SURFACE (0 cards) was skipped: line 28.",
+            "*CONTACT_INTERIOR (0 cards) was skipped: line 28.",
             "BETA (hardening is isotropic here) of *MAT_PLASTIC_KINEMATIC (1) had no effect: line 12.",
             "LCSS (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 15.",
             "EPS and ES (SIGY and ETAN are taken) of *MAT_PIECEWISE_LINEAR_PLASTICITY (2) had no effect: lines 16, 17.",
             "BIRTH of *RIGIDWALL_PLANAR (1) had no effect: line 21.",
             "What follows the cards of *CONTROL_TERMINATION (1) had no effect: line 27.",
             "Further fields of *MAT_ELASTIC (1) had no effect: line 30.",
-            "SSTYP 1 of a contact (all parts are taken) (1) had no effect: line 24.",
+            "SSTYP 7 of a contact (all parts are taken) (1) had no effect: line 24.",
         });
 }
 

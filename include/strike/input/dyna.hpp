@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include <strike/input/dyna/contacts.hpp>
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/file.hpp>
@@ -31,6 +32,7 @@ inline const Keyword* find_keyword(std::string_view name) {
   if (!found) found = keyword_with_options(name);
   if (!found) found = rigid_body_keyword(name);
   if (!found) found = wall_keyword(name);
+  if (!found) found = contact_keyword(name);
   const auto search = [&](const auto& keywords) {
     for (const Keyword& keyword : keywords)
       if (keyword.name == name) found = &keyword;

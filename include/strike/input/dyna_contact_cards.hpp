@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -65,13 +66,29 @@ struct ContactSide {
   std::vector<FileNumber> parts = {};
   std::vector<Index> nodes = {};
   std::vector<std::array<Index, 4>> segments = {};
+  double stiffness = 1;        ///< SFS or SFM: scale of the penalty
+  double thickness = 0;        ///< SST or MST, 0 for that of the section [length]
+  double thickness_scale = 1;  ///< SFST or SFMT
 };
 
-/// *CONTACT_AUTOMATIC_...
+/// *CONTACT_AUTOMATIC_..., _ERODING_..., _TIED_... and those without: SURFACE_TO_SURFACE, NODES_TO_SURFACE and so on.
 struct ContactCard {
-  std::string kind;  ///< what follows *CONTACT_AUTOMATIC_, such as "SURFACE_TO_SURFACE"
+  std::string kind;  ///< what follows *CONTACT_ and AUTOMATIC_: "SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE_OFFSET"
   ContactSide slave, master;
   double static_friction = 0, dynamic_friction = 0, decay = 0;  ///< FS, FD, DC: FD + (FS - FD) exp(-DC v)
+  FileNumber number = 0;                                        ///< CID of _ID, 0 without
+  std::string title = {};
+  bool automatic = true;                                   ///< AUTOMATIC: either side of a plate is touched
+  double damping = 0;                                      ///< VDC, of the critical one [percent]
+  double birth = 0;                                        ///< BT [time]
+  double death = std::numeric_limits<double>::infinity();  ///< DT [time]
+  FileNumber soft = 0;                                     ///< SOFT
+  double soft_scale = 0.1;                                 ///< SOFSCL
+  FileNumber depth = 2;                                    ///< DEPTH
+  bool exposes = false;  ///< EROSOP or IADJ of ERODING: faces that deletions expose are touched
+
+  bool is_tied() const { return kind.starts_with("TIED_"); }
+  bool is_eroding() const { return kind.starts_with("ERODING_"); }
 };
 
 }  // namespace strike

@@ -142,20 +142,37 @@ inline std::vector<SegmentSet> resolved_segments(Draft& draft, const Finished& m
   return all;
 }
 
-inline ContactSide contact_side(const Side& side, const char* type, std::uint32_t line, const Lookup& lookup,
-                                const DynaDeck& deck, File& file) {
-  ContactSide result;
-  if (side.number == 0 || side.kind == 5) return result;
-  if (side.kind == 4)
-    result.nodes = lookup.nodes(std::array{Choice{Named::set, side.number, line}});
-  else if (side.kind == 2 || side.kind == 3)
-    for (const Index part : lookup.parts({side.kind == 2 ? Named::part_set : Named::part, side.number, line}))
-      result.parts.push_back(deck.parts[part].number);
-  else if (side.kind == 0)
-    result.segments = lookup.segments({Named::all, side.number, line});
-  else
-    file.ignore_on_line(line, joined({type, " ", std::to_string(side.kind), " of a contact (all parts are taken)"}));
-  return result;
+/// Names the parts, nodes or faces of the side, by SSTYP or MSTYP.
+inline void resolve_side(ContactSide& side, const Side& given, const char* type, std::uint32_t line,
+                         const Lookup& lookup, const DynaDeck& deck, File& file) {
+  if (given.number == 0 || given.kind == 5) return;
+  const auto number = [&](Index part) { return deck.parts[part].number; };
+  switch (given.kind) {
+    case 0:
+      side.segments = lookup.segments({Named::all, given.number, line});
+      break;
+    case 1:
+      lookup.add_faces({Named::shell_set, given.number, line}, side.segments);
+      break;
+    case 2:
+    case 3:
+      for (const Index part : lookup.parts({given.kind == 2 ? Named::part_set : Named::part, given.number, line}))
+        side.parts.push_back(number(part));
+      break;
+    case 4:
+      side.nodes = lookup.nodes(std::array{Choice{Named::set, given.number, line}});
+      break;
+    case 6: {
+      const std::vector<Index> exempt = lookup.parts({Named::part_set, given.number, line});
+      for (Index part = 0; part < deck.parts.size(); ++part)
+        if (!std::binary_search(exempt.begin(), exempt.end(), part)) side.parts.push_back(number(part));
+      if (side.parts.empty())
+        file.source().refuse(line, {"a contact exempts all parts: take some out of its set, or the contact."});
+      break;
+    }
+    default:
+      file.ignore_on_line(line, joined({type, " ", std::to_string(given.kind), " of a contact (all parts are taken)"}));
+  }
 }
 
 /// The deck. Errors: those of the mesh; a card names a node, set or part that is not there.
@@ -194,8 +211,8 @@ inline DynaDeck resolved(Draft draft, File& file) {
   resolve_bodies(draft, lookup, deck);
   resolve_loads(draft, lookup, deck, file);
   for (auto& [contact, slave, master, line] : draft.contacts) {
-    contact.slave = contact_side(slave, "SSTYP", line, lookup, deck, file);
-    contact.master = contact_side(master, "MSTYP", line, lookup, deck, file);
+    resolve_side(contact.slave, slave, "SSTYP", line, lookup, deck, file);
+    resolve_side(contact.master, master, "MSTYP", line, lookup, deck, file);
     deck.contacts.push_back(std::move(contact));
   }
   file.tell(deck.warnings);
