@@ -48,6 +48,7 @@ void expect_whole(const strike::DynaDeck& deck) {
   for (const auto& motion : deck.motions) expect(std::abs(motion.direction.norm() - 1) < 1e-6);
   for (const auto& load : deck.body_loads)
     expect(!std::isnan(load.history(1)) && !std::isnan(load.history.integral(1)));
+  expect_below(deck.history_nodes, deck.mesh.nodes.size()), expect_below(deck.history_cells, deck.cell_numbers.size());
   for (const auto& set : deck.part_sets) expect_below(set.members, deck.parts.size());
   for (const auto& set : deck.segment_sets)
     for (const auto& segment : set.segments)

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <strike/input/dyna/contacts.hpp>
+#include <strike/input/dyna/controls.hpp>
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/file.hpp>
@@ -33,13 +34,14 @@ inline const Keyword* find_keyword(std::string_view name) {
   if (!found) found = rigid_body_keyword(name);
   if (!found) found = wall_keyword(name);
   if (!found) found = contact_keyword(name);
+  if (!found) found = output_keyword(name);
   const auto search = [&](const auto& keywords) {
     for (const Keyword& keyword : keywords)
       if (keyword.name == name) found = &keyword;
   };
   search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
-  search(section_keywords), search(load_keywords), search(force_keywords), search(rigid_keywords),
-      search(definition_keywords);
+  search(section_keywords), search(load_keywords), search(definition_keywords), search(force_keywords);
+  search(rigid_keywords), search(control_keywords);
   return found;
 }
 /// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.
@@ -59,6 +61,7 @@ struct Refusal {
 };
 inline constexpr auto refusals = std::to_array<Refusal>({
     {"*CASE", "makes several runs of one deck: write a deck for each case"},
+    {"*CONTROL_IMPLICIT", "makes the run implicit, and this one is explicit: take it out"},
     {"*NODE_MERGE", "is not read: write the nodes as they are after it"},
     {"*NODE_TRANSFORM", "is not read: write the nodes as they are after it"},
     {"*NODE_THICKNESS", "is not read: write the thickness with *ELEMENT_SHELL_THICKNESS"},

@@ -2,11 +2,13 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include <strike/input/deck.hpp>
 #include <strike/input/dyna_contact_cards.hpp>
+#include <strike/input/dyna_control_cards.hpp>
 #include <strike/input/dyna_load_cards.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/eos/gruneisen.hpp>
@@ -237,9 +239,15 @@ struct DynaDeck : Deck {
   std::vector<CurveCard> curves = {};
   std::vector<TableCard> tables = {};
   std::vector<CoordinateCard> coordinate_systems = {};
-  double end_time = 0;                              ///< ENDTIM, 0 if there is none [time]
-  double step_factor = 0;                           ///< TSSFAC, 0 if there is none
-  std::array<double, 2> bulk_viscosity{1.5, 0.06};  ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
+  double end_time = 0;                                  ///< ENDTIM, 0 if there is none [time]
+  double step_factor = 0;                               ///< TSSFAC, 0 if there is none
+  double mass_scaled_step = 0;                          ///< DT2MS, 0 if there is none [time]
+  std::array<double, 2> bulk_viscosity{1.5, 0.06};      ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
+  std::optional<HourglassCard> hourglass_control = {};  ///< *CONTROL_HOURGLASS, of parts without one, its number 0
+  ShellControl shell_control = {};
+  double contact_stiffness = 0.1;                             ///< SLSFAC of *CONTROL_CONTACT
+  std::vector<OutputCard> outputs = {};                       ///< of those with an interval
+  std::vector<Index> history_nodes = {}, history_cells = {};  ///< *DATABASE_HISTORY, in ascending order
 
   /// The material of a part, by the type of its card. Error: the part has none, or one of another type.
   template <class M, class Part>
@@ -272,6 +280,12 @@ struct DynaDeck : Deck {
     if (material.pressure_cutoff) eos.pressure_cutoff = *material.pressure_cutoff;
     return eos;
   }
+  /// The interval of an output, such as "D3PLOT"; 0 if the deck has none [time].
+  double interval(std::string_view output) const {
+    for (const OutputCard& card : outputs)
+      if (card.name == output) return card.interval;
+    return 0;
+  }
   /// A curve or a table by its number. Error: it is not in the deck.
   const CurveCard& curve(FileNumber number) const { return numbered(curves, number, "curve"); }
   const TableCard& table(FileNumber number) const { return numbered(tables, number, "table"); }
@@ -282,6 +296,7 @@ struct DynaDeck : Deck {
   }
   template <class Part>
   const HourglassCard& hourglass(const Part& part) const {
+    if (hourglass_control && card_of_part(part).hourglass == 0) return *hourglass_control;
     return card_of(hourglass_controls, card_of_part(part).hourglass, "hourglass control", text_of(part));
   }
 

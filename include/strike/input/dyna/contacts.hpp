@@ -7,56 +7,37 @@
 
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/forces.hpp>
+#include <strike/input/dyna/unused.hpp>
 
 // Contacts.
 namespace strike::detail::dyna {
 
 inline constexpr std::string_view contact_beginning = "*CONTACT_";
 
-/// A field that has no counterpart here; its default says nothing.
-struct UnusedField {
-  const char* name;
-  double standard = 0;
-};
-/// Tells fields that are neither 0 nor their default; those without a name are passed.
-template <std::size_t N>
-void tell_fields(Card card, const std::array<UnusedField, N>& fields, File& file) {
-  for (const auto& [name, standard] : fields) {
-    if (!name) {
-      card.pass(1);
-      continue;
-    }
-    const double value = card.number(name);
-    file.ignore(value == standard ? 0 : value, name);
-  }
-}
 inline void optional_cards(ContactCard& contact, File& file) {
   Card a = file.card();
   contact.soft = a.integer("SOFT");
   contact.soft_scale = a.number("SOFSCL", 0.1);
-  for (const auto& [name, standard] : std::array<UnusedField, 3>{{{"LCIDAB"}, {"MAXPAR", 1.025}, {"SBOPT", 2}}}) {
-    const double value = a.number(name);
-    file.ignore(value == standard ? 0 : value, name);
-  }
+  tell_fields(a, std::array<UnusedField, 3>{{{"LCIDAB"}, {"MAXPAR", 1.025}, {"SBOPT", 2}}}, file);
   contact.depth = a.integer("DEPTH", 2);
   tell_fields(a, std::array<UnusedField, 2>{{{"BSORT"}, {"FRCFRQ", 1}}}, file);
-  tell_fields(file.card(),
-              std::array<UnusedField, 8>{
-                  {{"PENMAX"}, {"THKOPT"}, {"SHLTHK"}, {"SNLOG"}, {"ISYM"}, {"I2D3D"}, {"SLDTHK"}, {"SLDSTF"}}},
-              file);
+  tell_card(
+      std::array<UnusedField, 8>{
+          {{"PENMAX"}, {"THKOPT"}, {"SHLTHK"}, {"SNLOG"}, {"ISYM"}, {"I2D3D"}, {"SLDTHK"}, {"SLDSTF"}}},
+      file);
   Card c = file.card();
   const double gap = c.number("IGAP");
   file.ignore(gap == 1 ? 0 : gap, "IGAP");
   c.pass(1);  // IGNORE: nodes that begin inside are no fault here
   tell_fields(c, std::array<UnusedField, 6>{{{"DPRFAC"}, {"DTSTIF"}, {}, {}, {"FLANGL"}, {"CID_RCF"}}}, file);
-  tell_fields(file.card(),
-              std::array<UnusedField, 8>{
-                  {{"Q2TRI"}, {"DTPCHK"}, {"SFNBR"}, {"FNLSCL"}, {"DNLSCL"}, {"TCSO"}, {"TIEDID"}, {"SHLEDG"}}},
-              file);
-  tell_fields(file.card(),
-              std::array<UnusedField, 8>{
-                  {{"SHAREC"}, {"CPARM8"}, {"IPBACK"}, {"SRNDE"}, {"FRICSF", 1}, {"ICOR"}, {"FTORQ"}, {"REGION"}}},
-              file);
+  tell_card(
+      std::array<UnusedField, 8>{
+          {{"Q2TRI"}, {"DTPCHK"}, {"SFNBR"}, {"FNLSCL"}, {"DNLSCL"}, {"TCSO"}, {"TIEDID"}, {"SHLEDG"}}},
+      file);
+  tell_card(
+      std::array<UnusedField, 8>{
+          {{"SHAREC"}, {"CPARM8"}, {"IPBACK"}, {"SRNDE"}, {"FRICSF", 1}, {"ICOR"}, {"FTORQ"}, {"REGION"}}},
+      file);
 }
 /// FS, FD and DC. FS below 0 takes the friction of the parts or of a table.
 inline void friction(ContactCard& contact, Card& card, File& file) {

@@ -18,7 +18,7 @@
 namespace strike::detail::dyna {
 
 /// Nodes that a card names, found when the whole file has been read.
-enum class Named { all, node, set, part, part_set, box, segment_set, shell, shell_set };
+enum class Named { all, node, set, part, part_set, box, segment_set, shell, shell_set, solid, solid_set };
 struct Choice {
   Named named;
   FileNumber number;
@@ -160,6 +160,8 @@ struct Draft {
   std::vector<PendingMotion> motions = {};
   std::map<FileNumber, PendingVector> vectors = {};
   std::vector<PendingContact> contacts = {};
+  std::vector<Choice> history_nodes = {}, history_cells = {};
+  double plots = 0;  ///< NPLTC
 
   /// The place of a part; its elements are the group of that number.
   std::uint32_t part(FileNumber number) {

@@ -145,6 +145,7 @@ class File {
     number = *given;
     return named(after.rest());
   }
+  bool titled() const { return titled_; }
   /// True for a contact with _MPP.
   bool is_parallel() const { return is_parallel_; }
   /// True if the next card of a contact begins with a lone `&`, as the second one of _MPP does.
@@ -339,8 +340,8 @@ class File {
       return found;
     };
     const bool contact = base_.starts_with("*CONTACT_");
-    const bool has_id =
-        contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_") || base_.starts_with("*LOAD_");
+    const bool has_id = contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_") ||
+                        base_.starts_with("*LOAD_") || base_.starts_with("*DATABASE_HISTORY_");
     titled_ = (has_id && drop("_ID")) || ((contact || !has_id) && drop("_TITLE"));
     is_parallel_ = false;
     while (contact)

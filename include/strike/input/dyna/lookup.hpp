@@ -106,23 +106,29 @@ class Lookup {
       faces.insert(faces.end(), more.begin(), more.end());
       return;
     }
-    for (const Index cell : shells_of(choice))
+    for (const Index cell : cells_of(choice))
       faces.push_back(deck_.mesh.quadrilaterals[cell - (deck_.cell_numbers.size() - deck_.mesh.quadrilaterals.size())]);
   }
-  /// The places in the mesh of a shell or of a set of shells.
-  std::vector<Index> shells_of(const Choice& choice) const {
-    if (choice.named == Named::shell_set) {
-      const auto place = draft_.set_places.find({shell_sets.name, choice.number});
-      if (place == draft_.set_places.end()) refuse_missing(file_, choice, "the set of shells", "*SET_SHELL");
+  /// The places in the mesh of a shell or a solid, or of a set of them.
+  std::vector<Index> cells_of(const Choice& choice) const {
+    const bool solid = choice.named == Named::solid || choice.named == Named::solid_set;
+    if (choice.named == Named::shell_set || choice.named == Named::solid_set) {
+      const auto place = draft_.set_places.find({solid ? solid_sets.name : shell_sets.name, choice.number});
+      if (place == draft_.set_places.end())
+        refuse_missing(file_, choice, solid ? "the set of solids" : "the set of shells",
+                       solid ? "*SET_SOLID" : "*SET_SHELL");
       const std::vector<Index>& members = deck_.cell_sets[place->second].members;
       mesh_.allowance.take(4 * members.size(), choice.line);
       return members;
     }
-    const std::size_t first = deck_.cell_numbers.size() - deck_.mesh.quadrilaterals.size();
-    if (!shells_) shells_ = Numbering({deck_.cell_numbers.begin() + std::ptrdiff_t(first), deck_.cell_numbers.end()});
-    const Index place = shells_->find(choice.number);
-    if (place == nothing) refuse_missing(file_, choice, "shell", "*ELEMENT_SHELL");
-    return {static_cast<Index>(first + place)};
+    const auto plates = static_cast<std::ptrdiff_t>(deck_.cell_numbers.size() - deck_.mesh.quadrilaterals.size());
+    const auto begin = deck_.cell_numbers.begin();
+    if (solid && !solids_) solids_ = Numbering({begin, begin + plates});
+    if (!solid && !shells_) shells_ = Numbering({begin + plates, deck_.cell_numbers.end()});
+    const Index place = (solid ? solids_ : shells_)->find(choice.number);
+    if (place == nothing)
+      refuse_missing(file_, choice, solid ? "solid" : "shell", solid ? "*ELEMENT_SOLID" : "*ELEMENT_SHELL");
+    return {static_cast<Index>(solid ? place : static_cast<std::size_t>(plates) + place)};
   }
   /// A curve.
   const CurveCard& curve(const Choice& choice) const {
@@ -187,7 +193,7 @@ class Lookup {
   std::map<FileNumber, const SegmentSet*> segment_sets_ = {};
   std::map<FileNumber, const CoordinateCard*> systems_ = {};
   std::map<FileNumber, const CurveCard*> curves_ = {};
-  mutable std::optional<Numbering> shells_ = {};  ///< made when the first is asked for
+  mutable std::optional<Numbering> shells_ = {}, solids_ = {};  ///< made when the first is asked for
 };
 
 }  // namespace strike::detail::dyna

@@ -174,7 +174,7 @@ inline void composite(File& file, Draft& draft) {
   Card card = file.card();
   const FileNumber number = draft.own_number("part", Id::part, card, file);
   draft.raw.parts[draft.part(number)].name = name;
-  CompositeCard composite{number, card.integer("ELFORM", 2), card.number("SHRF", 1), card.number("NLOC"), {}};
+  CompositeCard composite{number, card.integer("ELFORM"), card.number("SHRF", 1), card.number("NLOC"), {}};
   file.ignore(card.number("MAREA"), "MAREA");
   PartCard part{number, std::move(name), 0, 0, 0, card.tag("HGID", Id::other)};
   if (file.base() == "*PART_COMPOSITE_CONTACT") part.contact = part_contact(file);

@@ -207,6 +207,7 @@ inline DynaDeck resolved(Draft draft, File& file) {
   };
   add(deck.supports, draft.node_supports), add(deck.supports, draft.set_supports);
   add(deck.velocities, draft.velocities);
+  resolve_controls(draft, lookup, deck);
   resolve_walls(draft, lookup, deck, file);
   resolve_bodies(draft, lookup, deck);
   resolve_loads(draft, lookup, deck, file);

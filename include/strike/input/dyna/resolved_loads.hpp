@@ -58,6 +58,27 @@ inline void resolve_walls(Draft& draft, const Lookup& lookup, DynaDeck& deck, Fi
   };
   add(deck.walls, draft.walls), add(deck.obstacles, draft.obstacles);
 }
+/// Cells and nodes of histories, and what a deck says for all of its sections.
+inline void resolve_controls(Draft& draft, const Lookup& lookup, DynaDeck& deck) {
+  deck.history_nodes = lookup.nodes(draft.history_nodes);
+  for (const Choice& choice : draft.history_cells) {
+    const std::vector<Index> cells = lookup.cells_of(choice);
+    deck.history_cells.insert(deck.history_cells.end(), cells.begin(), cells.end());
+  }
+  deck.history_cells = ascending(std::move(deck.history_cells));
+  if (draft.plots > 0)
+    for (OutputCard& output : deck.outputs)
+      if (output.name == "D3PLOT") output.interval = deck.end_time / draft.plots;
+  std::erase_if(deck.outputs, [](const OutputCard& output) { return !(output.interval > 0); });
+  if (deck.hourglass_control) {
+    deck.hourglass_control->quadratic = deck.bulk_viscosity[0];
+    deck.hourglass_control->linear = deck.bulk_viscosity[1];
+  }
+  for (SectionCard& section : deck.sections)
+    if (section.element_form == 0) section.element_form = deck.shell_control.element_form;
+  for (CompositeCard& composite : deck.composites)
+    if (composite.element_form == 0) composite.element_form = deck.shell_control.element_form;
+}
 inline void resolve_loads(Draft& draft, const Lookup& lookup, DynaDeck& deck, File& file) {
   std::vector<FileNumber> loaded;
   for (const Choice& set : draft.body_load_parts)
