@@ -4,5 +4,8 @@
 #include <strike/input/deck.hpp>
 #include <strike/input/dyna.hpp>
 #include <strike/input/dyna_cards.hpp>
+#include <strike/input/dyna_contact_cards.hpp>
+#include <strike/input/dyna_control_cards.hpp>
+#include <strike/input/dyna_load_cards.hpp>
 #include <strike/input/gmsh.hpp>
 #include <strike/input/read_mesh.hpp>

@@ -40,6 +40,15 @@ void expect_whole(const strike::DynaDeck& deck) {
     for (const auto& card : cards) expect_below(card.nodes, deck.mesh.nodes.size());
   };
   expect_nodes(deck.supports), expect_nodes(deck.velocities), expect_nodes(deck.walls);
+  expect_nodes(deck.nodal_loads), expect_nodes(deck.motions);
+  expect_nodes(deck.rigid_bodies), expect_nodes(deck.extra_nodes), expect_nodes(deck.obstacles);
+  for (const auto& pressure : deck.pressures)
+    for (const auto& segment : pressure.segments)
+      for (const strike::Index node : segment) expect(node < deck.mesh.nodes.size());
+  for (const auto& motion : deck.motions) expect(std::abs(motion.direction.norm() - 1) < 1e-6);
+  for (const auto& load : deck.body_loads)
+    expect(!std::isnan(load.history(1)) && !std::isnan(load.history.integral(1)));
+  expect_below(deck.history_nodes, deck.mesh.nodes.size()), expect_below(deck.history_cells, deck.cell_numbers.size());
   for (const auto& set : deck.part_sets) expect_below(set.members, deck.parts.size());
   for (const auto& set : deck.segment_sets)
     for (const auto& segment : set.segments)

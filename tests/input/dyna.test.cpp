@@ -44,7 +44,7 @@ TEST_CASE("dyna: nodes and elements in columns and with commas, of every shape")
                              "      12       3       2      10       3       0\n"
                              "*PART\nthe block\n         1         4         5         6         7\n"
                              "   the tip   \n         2\n"
-                             "*DATABASE_BINARY_D3PLOT\n 0.1\n*DATABASE_BINARY_D3PLOT\n 0.1\n*END\n*NODE\nnonsense\n");
+                             "*DATABASE_BINARY_RUNRSF\n 0.1\n*DATABASE_BINARY_RUNRSF\n 0.1\n*END\n*NODE\nnonsense\n");
   CHECK(deck.title == "a cube and more");
   CHECK(deck.mesh.nodes.size() == 10);
   CHECK(deck.mesh.nodes[2] == Eigen::Vector3d(1, 1, 0));
@@ -63,7 +63,7 @@ TEST_CASE("dyna: nodes and elements in columns and with commas, of every shape")
   CHECK(deck.part_cards[0].hourglass == 7);
   CHECK(deck.warnings == std::vector<std::string>{
                              "Nodes without an element (1, the first has the number 99) were dropped.",
-                             "*DATABASE_BINARY_D3PLOT (2 cards) was skipped: lines 33, 35.",
+                             "*DATABASE_BINARY_RUNRSF (2 cards) was skipped: lines 33, 35.",
                          });
   REQUIRE(deck.supports.size() == 2);  // TC and RC
   CHECK(deck.supports[1].nodes == std::vector<Index>{1});

@@ -330,22 +330,22 @@ TEST_CASE("dyna cards: values without a counterpart are listed") {
 0,0,0,0,.5
 0,0,0,0,0,1
 *CONTACT_AUTOMATIC_SINGLE_SURFACE
-4,0,1
+4,0,7
 *CONTROL_TERMINATION
 1
 2
-*CONTACT_TIED_NODES_TO_SURFACE
+*CONTACT_INTERIOR
 *MAT_ELASTIC
 3,1,1,0,0,.1
 )");
   CHECK(deck.warnings == std::vector<std::string>{
-                             "*CONTACT_TIED_NODES_TO_SURFACE (0 cards) was skipped: line 26.",
+                             "*CONTACT_INTERIOR (0 cards) was skipped: line 26.",
                              "FAIL below 0 of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 14.",
                              "Further fields of *MAT_PIECEWISE_LINEAR_PLASTICITY (1) had no effect: line 15.",
                              "BIRTH of *RIGIDWALL_PLANAR (1) had no effect: line 19.",
                              "What follows the cards of *CONTROL_TERMINATION (1) had no effect: line 25.",
                              "Further fields of *MAT_ELASTIC (1) had no effect: line 28.",
-                             "SSTYP 1 of a contact (all parts are taken) (1) had no effect: line 22.",
+                             "SSTYP 7 of a contact (all parts are taken) (1) had no effect: line 22.",
                          });
 }
 

@@ -5,17 +5,22 @@
 #include <string_view>
 #include <utility>
 
+#include <strike/input/dyna/contacts.hpp>
+#include <strike/input/dyna/controls.hpp>
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/file.hpp>
+#include <strike/input/dyna/forces.hpp>
 #include <strike/input/dyna/loads.hpp>
 #include <strike/input/dyna/materials.hpp>
 #include <strike/input/dyna/mesh.hpp>
 #include <strike/input/dyna/parameter_cards.hpp>
 #include <strike/input/dyna/resolved.hpp>
+#include <strike/input/dyna/rigid_bodies.hpp>
 #include <strike/input/dyna/sections.hpp>
 #include <strike/input/dyna/sets.hpp>
 #include <strike/input/dyna/transformations.hpp>
+#include <strike/input/dyna/walls.hpp>
 #include <strike/input/dyna_cards.hpp>
 #include <strike/input/source.hpp>
 
@@ -26,12 +31,17 @@ namespace detail::dyna {
 inline const Keyword* find_keyword(std::string_view name) {
   const Keyword* found = parameter_keyword(name);
   if (!found) found = keyword_with_options(name);
+  if (!found) found = rigid_body_keyword(name);
+  if (!found) found = wall_keyword(name);
+  if (!found) found = contact_keyword(name);
+  if (!found) found = output_keyword(name);
   const auto search = [&](const auto& keywords) {
     for (const Keyword& keyword : keywords)
       if (keyword.name == name) found = &keyword;
   };
   search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
-  search(section_keywords), search(load_keywords), search(definition_keywords);
+  search(section_keywords), search(load_keywords), search(definition_keywords), search(force_keywords);
+  search(rigid_keywords), search(control_keywords);
   return found;
 }
 /// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.
@@ -51,6 +61,7 @@ struct Refusal {
 };
 inline constexpr auto refusals = std::to_array<Refusal>({
     {"*CASE", "makes several runs of one deck: write a deck for each case"},
+    {"*CONTROL_IMPLICIT", "makes the run implicit, and this one is explicit: take it out"},
     {"*NODE_MERGE", "is not read: write the nodes as they are after it"},
     {"*NODE_TRANSFORM", "is not read: write the nodes as they are after it"},
     {"*NODE_THICKNESS", "is not read: write the thickness with *ELEMENT_SHELL_THICKNESS"},

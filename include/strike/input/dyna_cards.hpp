@@ -9,6 +9,9 @@
 #include <vector>
 
 #include <strike/input/deck.hpp>
+#include <strike/input/dyna_contact_cards.hpp>
+#include <strike/input/dyna_control_cards.hpp>
+#include <strike/input/dyna_load_cards.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/eos/gruneisen.hpp>
 #include <strike/material/eos/jwl.hpp>
@@ -339,25 +342,24 @@ struct VelocityCard {
   Eigen::Vector3d at(const Eigen::Vector3d& x) const { return velocity + cross<double>(spin, x - centre); }
 };
 
-/// *RIGIDWALL_PLANAR: `RigidWall{w.point, w.normal, w.nodes, w.friction}`.
-struct WallCard {
-  Eigen::Vector3d point, normal;
+/// *CONSTRAINED_NODAL_RIGID_BODY, with _SPC and _INERTIA: `RigidBody{b.nodes, {}, HeldBody{b.held.directions(),
+/// b.held.axes()}}`; without elements at its nodes it needs an inertia.
+struct RigidBodyCard {
+  FileNumber number;  ///< PID
   std::vector<Index> nodes;
-  double friction;
+  std::optional<InertiaCard> inertia = {};  ///< of the body as a whole, with the masses that its nodes have
+  SupportCard held = {};                    ///< CON1 and CON2, without nodes
 };
 
-/// One side of a contact: the parts, the nodes or the faces that it names. Without any: all parts.
-struct ContactSide {
-  std::vector<FileNumber> parts = {};
-  std::vector<Index> nodes = {};
-  std::vector<std::array<Index, 4>> segments = {};
+/// *CONSTRAINED_RIGID_BODIES: a rigid body that moves with another, by the numbers of their parts.
+struct RigidMergeCard {
+  FileNumber lead, constrained;
 };
 
-/// *CONTACT_AUTOMATIC_...
-struct ContactCard {
-  std::string kind;  ///< what follows *CONTACT_AUTOMATIC_, such as "SURFACE_TO_SURFACE"
-  ContactSide slave, master;
-  double static_friction = 0, dynamic_friction = 0, decay = 0;  ///< FS, FD, DC: FD + (FS - FD) exp(-DC v)
+/// *CONSTRAINED_EXTRA_NODES_NODE and _SET: nodes that move with a part that is rigid.
+struct ExtraNodesCard {
+  FileNumber part;
+  std::vector<Index> nodes;
 };
 
 /// *SET_SEGMENT: faces by their corners; a triangle repeats its last one.
@@ -378,19 +380,33 @@ struct DynaDeck : Deck {
   std::vector<HourglassCard> hourglass_controls = {};
   std::vector<SupportCard> supports = {};
   std::vector<VelocityCard> velocities = {};
+  std::vector<BodyLoadCard> body_loads = {};
+  std::vector<NodalLoadCard> nodal_loads = {};
+  std::vector<PressureLoadCard> pressures = {};
+  std::vector<PrescribedMotionCard> motions = {};
   std::vector<WallCard> walls = {};
+  std::vector<ObstacleCard> obstacles = {};
   std::vector<ContactCard> contacts = {};
   std::vector<NamedSet> part_sets = {};  ///< members are places in `parts`
   std::vector<SegmentSet> segment_sets = {};
   std::vector<InertiaCard> inertias = {};
+  std::vector<RigidBodyCard> rigid_bodies = {};
+  std::vector<RigidMergeCard> rigid_merges = {};
+  std::vector<ExtraNodesCard> extra_nodes = {};
   std::vector<CompositeCard> composites = {};
   std::vector<ShellCard> shells = {};  ///< of plates that have values of their own, in ascending order
   std::vector<CurveCard> curves = {};
   std::vector<TableCard> tables = {};
   std::vector<CoordinateCard> coordinate_systems = {};
-  double end_time = 0;                              ///< ENDTIM, 0 if there is none [time]
-  double step_factor = 0;                           ///< TSSFAC, 0 if there is none
-  std::array<double, 2> bulk_viscosity{1.5, 0.06};  ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
+  double end_time = 0;                                  ///< ENDTIM, 0 if there is none [time]
+  double step_factor = 0;                               ///< TSSFAC, 0 if there is none
+  double mass_scaled_step = 0;                          ///< DT2MS, 0 if there is none [time]
+  std::array<double, 2> bulk_viscosity{1.5, 0.06};      ///< Q1 and Q2 of *CONTROL_BULK_VISCOSITY, quadratic and linear
+  std::optional<HourglassCard> hourglass_control = {};  ///< *CONTROL_HOURGLASS, of parts without one, its number 0
+  ShellControl shell_control = {};
+  double contact_stiffness = 0.1;                             ///< SLSFAC of *CONTROL_CONTACT
+  std::vector<OutputCard> outputs = {};                       ///< of those with an interval
+  std::vector<Index> history_nodes = {}, history_cells = {};  ///< *DATABASE_HISTORY, in ascending order
 
   /// The material of a part, by the type of its card. Error: the part has none, or one of another type.
   template <class M, class Part>
@@ -424,6 +440,12 @@ struct DynaDeck : Deck {
       if (material.pressure_cutoff) eos.pressure_cutoff = *material.pressure_cutoff;
     return eos;
   }
+  /// The interval of an output, such as "D3PLOT"; 0 if the deck has none [time].
+  double interval(std::string_view output) const {
+    for (const OutputCard& card : outputs)
+      if (card.name == output) return card.interval;
+    return 0;
+  }
   /// A curve or a table by its number. Error: it is not in the deck.
   const CurveCard& curve(FileNumber number) const { return numbered(curves, number, "curve"); }
   const TableCard& table(FileNumber number) const { return numbered(tables, number, "table"); }
@@ -434,6 +456,7 @@ struct DynaDeck : Deck {
   }
   template <class Part>
   const HourglassCard& hourglass(const Part& part) const {
+    if (hourglass_control && card_of_part(part).hourglass == 0) return *hourglass_control;
     return card_of(hourglass_controls, card_of_part(part).hourglass, "hourglass control", text_of(part));
   }
 

@@ -116,9 +116,27 @@ inline void coordinate_nodes(File& file, Draft& draft) {
   });
 }
 
+inline void vectors(File& file, Draft& draft) {
+  file.title();
+  const bool by_nodes = file.base() == "*DEFINE_VECTOR_NODES";
+  file.for_each_card([&](Card card) {
+    const FileNumber number = draft.own_number("vector", Id::define, card, file);
+    PendingVector& vector = draft.vectors[number];
+    vector.line = file.line();
+    if (by_nodes) {
+      vector.tail = card.own_tag("the tail of a vector", "vector", Id::node);
+      vector.head = card.own_tag("the head of a vector", "vector", Id::node);
+    } else {
+      const Eigen::Vector3d tail = card.vector("XT to ZT");
+      vector.vector = card.vector("XH to ZH") - tail;
+      vector.system = card.tag("CID", Id::define);
+    }
+  });
+}
+
 /// Points that are given by nodes, once all nodes are where they belong.
 inline void place_by_nodes(Draft& draft, const File& file) {
-  if (draft.systems.empty() && draft.centres.empty()) return;
+  if (draft.systems.empty() && draft.centres.empty() && draft.vectors.empty()) return;
   std::vector<FileNumber> numbers;
   for (const RawMesh::Node& node : draft.raw.nodes) numbers.push_back(node.number);
   const Numbering all(std::move(numbers));
@@ -136,8 +154,11 @@ inline void place_by_nodes(Draft& draft, const File& file) {
         axes_of(position(pending.nodes[1], pending.line) - system.origin,
                 position(pending.nodes[2], pending.line) - system.origin, pending.first, file.source(), pending.line);
   }
+  for (auto& [number, vector] : draft.vectors)
+    if (vector.tail != 0) vector.vector = position(vector.head, vector.line) - position(vector.tail, vector.line);
   for (const PendingCentre& pending : draft.centres)
-    draft.deck.inertias[pending.inertia].centre = position(pending.node, pending.line);
+    (pending.of_body ? draft.rigid_bodies[pending.inertia].card.inertia.value() : draft.deck.inertias[pending.inertia])
+        .centre = position(pending.node, pending.line);
 }
 
 inline constexpr auto definition_keywords = std::to_array<Keyword>({
@@ -147,6 +168,8 @@ inline constexpr auto definition_keywords = std::to_array<Keyword>({
     {"*DEFINE_COORDINATE_SYSTEM", coordinate_system, Invariant::none},
     {"*DEFINE_COORDINATE_VECTOR", coordinate_vectors, Invariant::none},
     {"*DEFINE_COORDINATE_NODES", coordinate_nodes, Invariant::everywhere},
+    {"*DEFINE_VECTOR", vectors, Invariant::none},
+    {"*DEFINE_VECTOR_NODES", vectors, Invariant::everywhere},
 });
 
 }  // namespace strike::detail::dyna

@@ -32,9 +32,33 @@ inline std::array<bool, 3> held_by(FileNumber code, std::string_view what, const
     file.refuse({"the constraint ", std::to_string(code), " of ", what, " is none: give 0 to 7."});
   return codes[static_cast<std::size_t>(code)];
 }
+/// CMO, CON1 and CON2 into what a body has `held` and `held_turns`. CMO 1: axes of space by their codes; CMO -1: CON2
+/// has a digit 1 for each axis of the coordinate system CON1 that is held, x y z, and about which, whose number is
+/// returned; 0: that of space.
+template <class Body>
+FileNumber held_by_body(Card& card, Body& body, std::string_view what, const File& file) {
+  const double frame = card.number("CMO");
+  if (frame == 1) {
+    body.held = held_by(card.integer("CON1"), what, file);
+    body.held_turns = held_by(card.integer("CON2"), what, file);
+    return 0;
+  }
+  if (frame == 0) return 0;
+  if (frame != -1) file.refuse({"CMO is neither 1, 0 nor -1: correct it."});
+  const FileNumber system = card.tag("CON1", Id::define), code = card.integer("CON2");
+  FileNumber left = code;
+  for (auto* const degrees : {&body.held_turns, &body.held})
+    for (std::size_t i = 3; i-- > 0; left /= 10) {
+      if (left < 0 || left % 10 > 1)
+        file.refuse({"CON2 ", std::to_string(code), " is none: give six digits 0 or 1, such as 111000."});
+      (*degrees)[i] = left % 10 == 1;
+    }
+  if (left != 0) file.refuse({"CON2 ", std::to_string(code), " is none: give six digits 0 or 1, such as 111000."});
+  return system;
+}
 
 /// Nodes that a card names, found when the whole file has been read.
-enum class Named { all, node, set, part, part_set, box };
+enum class Named { all, node, set, part, part_set, box, segment_set, shell, shell_set, solid, solid_set };
 struct Choice {
   Named named;
   FileNumber number;
@@ -47,7 +71,39 @@ template <class Card>
 struct Pending {
   Card card;
   std::vector<Choice> choices;
-  FileNumber system = 0;  ///< CID of a support
+  FileNumber system = 0;  ///< CID
+  std::uint32_t line = 0;
+};
+
+struct PendingSegments {
+  struct Segment {
+    std::array<FileNumber, 4> corners;
+    std::uint32_t line;
+  };
+  FileNumber number;
+  std::string name;
+  std::vector<Segment> segments;
+};
+
+/// A pressure on segments by their corners, and on sets of segments, shells and sets of shells.
+struct PendingPressure {
+  PressureLoadCard card;
+  std::vector<PendingSegments::Segment> segments;
+  std::vector<Choice> choices;
+  std::uint32_t line;
+};
+/// A motion along a vector (VID).
+struct PendingMotion {
+  PrescribedMotionCard card;
+  std::vector<Choice> choices;
+  FileNumber vector;
+  std::uint32_t line;
+};
+/// *DEFINE_VECTOR, by its components or from one node to another.
+struct PendingVector {
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  FileNumber system = 0, tail = 0, head = 0;
+  std::uint32_t line = 0;
 };
 
 /// The side of a contact: SSID with SSTYP, or MSID with MSTYP.
@@ -67,15 +123,6 @@ struct PendingSet {
   std::uint32_t line;
   std::vector<Choice> choices;
 };
-struct PendingSegments {
-  struct Segment {
-    std::array<FileNumber, 4> corners;
-    std::uint32_t line;
-  };
-  FileNumber number;
-  std::string name;
-  std::vector<Segment> segments;
-};
 
 /// Axes that are given by three nodes: the first is the origin.
 struct PendingSystem {
@@ -92,9 +139,10 @@ struct PendingRigid {
 };
 /// A centre that is given by a node.
 struct PendingCentre {
-  std::size_t inertia;  ///< its place in the deck
+  std::size_t inertia;  ///< its place in the deck, or that of its rigid body in the draft
   FileNumber node;
   std::uint32_t line;
+  bool of_body = false;
 };
 struct PendingShell {
   FileNumber number;
@@ -162,7 +210,19 @@ struct Draft {
   std::vector<Pending<SupportCard>> set_supports = {};
   std::vector<Pending<VelocityCard>> velocities = {};
   std::vector<Pending<WallCard>> walls = {};
+  std::vector<Pending<ObstacleCard>> obstacles = {};
+  std::vector<Pending<BodyLoadCard>> body_loads = {};
+  std::vector<Choice> body_load_parts = {};
+  std::vector<Pending<NodalLoadCard>> nodal_loads = {};
+  std::vector<PendingPressure> pressures = {};
+  std::vector<Pending<RigidBodyCard>> rigid_bodies = {};
+  std::vector<Pending<RigidMergeCard>> rigid_merges = {};
+  std::vector<Pending<ExtraNodesCard>> extra_nodes = {};
+  std::vector<PendingMotion> motions = {};
+  std::map<FileNumber, PendingVector> vectors = {};
   std::vector<PendingContact> contacts = {};
+  std::vector<Choice> history_nodes = {}, history_cells = {};
+  double plots = 0;  ///< NPLTC
 
   /// The place of a part; its elements are the group of that number.
   std::uint32_t part(FileNumber number) {

@@ -136,6 +136,26 @@ class File {
   /// The title that stands before the cards of a keyword with _TITLE or _ID.
   std::string title() { return titled_ ? named(card().rest()) : std::string(); }
 
+  /// The same of a contact, whose number stands before its title.
+  std::string id_title(FileNumber& number) {
+    if (!titled_) return {};
+    Card whole = card(), after = whole;
+    const auto given = to_integer(after.text());
+    if (!given) return named(whole.rest());
+    number = *given;
+    return named(after.rest());
+  }
+  bool titled() const { return titled_; }
+  /// True for a contact with _MPP.
+  bool is_parallel() const { return is_parallel_; }
+  /// True if the next card of a contact begins with a lone `&`, as the second one of _MPP does.
+  bool goes_on_with_ampersand() {
+    std::string_view line;
+    while (context_.source.peek() == '$') context_.source.next(line);
+    line = context_.source.peek_line();
+    return line.starts_with('&') && (line.size() == 1 || detail::is_blank(line[1]) || line[1] == ',');
+  }
+
   Parameters& parameters() { return context_.parameters; }
   std::size_t width(std::size_t standard) const { return context_.width(standard); }
   ExpressionValue evaluated(std::string_view expression) const { return context_.parameters.evaluated(expression); }
@@ -320,8 +340,17 @@ class File {
       return found;
     };
     const bool contact = base_.starts_with("*CONTACT_");
-    const bool has_id = contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_");
+    const bool has_id = contact || base_.starts_with("*BOUNDARY_") || base_.starts_with("*RIGIDWALL_") ||
+                        base_.starts_with("*LOAD_") || base_.starts_with("*DATABASE_HISTORY_");
     titled_ = (has_id && drop("_ID")) || ((contact || !has_id) && drop("_TITLE"));
+    is_parallel_ = false;
+    while (contact)
+      if (drop("_MPP"))
+        is_parallel_ = true;
+      else if (drop("_ID") || drop("_TITLE"))
+        titled_ = true;
+      else
+        break;
     collects_ = base_.starts_with("*SET_") && drop("_COLLECT");
     if (collects_) titled_ |= drop("_TITLE");
   }
@@ -333,6 +362,7 @@ class File {
   std::vector<Motion> motions_ = {};
   Format keyword_format_ = Format::standard;  ///< of the keywords that have no sign of their own
   std::vector<std::string> folders_ = {};     ///< of *INCLUDE_PATH
+  bool is_parallel_ = false;
   bool any_ = false;
   bool names_file_ = false;  ///< the *INCLUDE that is being read has named one
   bool titled_ = false, collects_ = false;

@@ -5,7 +5,7 @@
 
 #include <strike/input/dyna/draft.hpp>
 
-// Supports, initial velocities, rigid walls and contacts.
+// Supports and initial velocities.
 namespace strike::detail::dyna {
 
 /// Calls f with each support and the choice of its nodes; a line of zeros is none.
@@ -83,67 +83,12 @@ inline void generated_velocities(File& file, Draft& draft) {
   });
 }
 
-/// True for times of death beyond the end of any run, which have no effect.
-inline double early(double death) { return death < 1e20 ? death : 0; }
-
-inline void wall(File& file, Draft& draft) {
-  file.title();
-  Card card = file.card();
-  const std::uint32_t line = file.line();
-  const FileNumber set = card.tag("NSID", Id::set);
-  for (const char* what : {"NSIDEX", "BOXID", "OFFSET", "BIRTH"}) file.ignore(card.number(what), what);
-  file.ignore(early(card.number("DEATH")), "DEATH");
-  Card plane = file.card();
-  WallCard wall{plane.vector("XT to ZT"), {}, {}, 0};
-  wall.normal = plane.vector("XH to ZH") - wall.point;
-  if (!(wall.normal.norm() > 0))
-    file.refuse({"the normal of the wall has no length: give it a head that is not its tail."});
-  wall.normal.normalize();
-  wall.friction = plane.number("FRIC");
-  file.ignore_rest(card, plane);
-  draft.walls.push_back({wall, {set_or_all(set, line)}});
-}
-
-inline void contact(File& file, Draft& draft) {
-  file.title();
-  Card card = file.card();
-  const std::uint32_t line = file.line();
-  Side slave{}, master{};
-  Card later = card;
-  later.pass(2);
-  slave.kind = later.integer("SSTYP"), master.kind = later.integer("MSTYP");
-  slave.number = card.tag("SSID", slave.kind == 3 ? Id::part : Id::set);
-  master.number = card.tag("MSID", master.kind == 3 ? Id::part : Id::set);
-  card.pass(2);
-  file.ignore(card.number("SBOXID"), "SBOXID");
-  file.ignore(card.number("MBOXID"), "MBOXID");
-  Card friction = file.card();
-  ContactCard contact{std::string(file.base().substr(std::string_view("*CONTACT_AUTOMATIC_").size())), {}, {}};
-  contact.static_friction = friction.number("FS");
-  contact.dynamic_friction = friction.number("FD");
-  contact.decay = friction.number("DC");
-  for (const char* what : {"VC", "VDC", "PENCHK", "BT"}) file.ignore(friction.number(what), what);
-  file.ignore(early(friction.number("DT")), "DT");
-  Card scales = file.card();
-  for (const char* what : {"SFS", "SFM", "SST", "MST", "SFST", "SFMT", "FSF", "VSF"}) {
-    const double value = scales.number(what);
-    file.ignore(value == 1 ? 0 : value, what);
-  }
-  draft.contacts.push_back({std::move(contact), slave, master, line});
-}
-
 inline constexpr auto load_keywords = std::to_array<Keyword>({
     {"*BOUNDARY_SPC_NODE", node_supports, Invariant::none},
     {"*BOUNDARY_SPC_SET", set_supports, Invariant::none},
     {"*INITIAL_VELOCITY", velocity, Invariant::none},
     {"*INITIAL_VELOCITY_NODE", node_velocities, Invariant::none},
     {"*INITIAL_VELOCITY_GENERATION", generated_velocities, Invariant::none},
-    {"*RIGIDWALL_PLANAR", wall, Invariant::none},
-    {"*CONTACT_AUTOMATIC_SINGLE_SURFACE", contact},
-    {"*CONTACT_AUTOMATIC_GENERAL", contact},
-    {"*CONTACT_AUTOMATIC_NODES_TO_SURFACE", contact},
-    {"*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", contact},
-    {"*CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", contact},
 });
 
 }  // namespace strike::detail::dyna

@@ -139,33 +139,14 @@ inline void zerilli_armstrong(File& file, Draft& draft) {
   if (Card last = file.card(); n == 0 && last.number("M", 0.5) != 0.5) file.ignore(1, "M");
   add(file, draft, head, ZerilliArmstrongMaterial{head.density, s, failure}, cutoff);
 }
-/// CMO 1: CON1 and CON2 are axes of space that are held; CMO -1: CON1 is a coordinate system, CON2 has a digit 1 for
-/// each of its axes that is held, and about which.
 inline void rigid(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
   RigidMaterial material{head.density, head.card.number("E"), poissons_ratio(head.card, file)};
   for (const char* name : {"N", "COUPLE", "M"}) file.ignore(head.card.number(name), name);
   if (!head.card.text().empty()) file.ignore(1, "ALIAS");
   Card constraint = file.card();
-  const double frame = constraint.number("CMO");
-  if (frame == 1) {
-    material.held = held_by(constraint.integer("CON1"), "a rigid material", file);
-    material.held_turns = held_by(constraint.integer("CON2"), "a rigid material", file);
-  } else if (frame == -1) {
-    if (const FileNumber system = constraint.tag("CON1", Id::define); system != 0)
-      draft.rigid_systems.push_back({draft.deck.materials.size(), system, file.line()});
-    const FileNumber code = constraint.integer("CON2");
-    std::array<bool, 6> all{};
-    FileNumber left = code;
-    for (std::size_t i = 6; i-- > 0; left /= 10) {
-      if (left < 0 || left % 10 > 1) left = 10'000'000;
-      all[i] = left % 10 == 1;
-    }
-    if (left != 0) file.refuse({"CON2 ", std::to_string(code), " is none: give six digits 0 or 1, such as 111000."});
-    material.held = {all[0], all[1], all[2]}, material.held_turns = {all[3], all[4], all[5]};
-  } else if (frame != 0) {
-    file.refuse({"CMO is neither 1, 0 nor -1: correct it."});
-  }
+  if (const FileNumber system = held_by_body(constraint, material, "a rigid material", file); system != 0)
+    draft.rigid_systems.push_back({draft.deck.materials.size(), system, file.line()});
   Card axes = file.card();
   file.ignore(axes.says_more(), "LCO or A and V");
   add(file, draft, head, material);

@@ -99,10 +99,12 @@ inline void plates(File& file, Draft& draft) {
   });
 }
 
-inline void inertia(FileNumber part, File& file, Draft& draft) {
+/// The inertia of a part or a rigid body; `node` is where its centre is, 0 if it is given.
+inline InertiaCard inertia_card(FileNumber part, File& file, FileNumber& node) {
   Card first = file.card(), second = file.card();
   InertiaCard card{part, first.vector("XC to ZC"), first.number("TM"), {}, {}, {}};
-  const FileNumber kind = first.integer("IRCS"), node = first.tag("NODEID", Id::node);
+  const FileNumber kind = first.integer("IRCS");
+  node = first.tag("NODEID", Id::node);
   const double xx = second.number("IXX"), xy = second.number("IXY"), xz = second.number("IXZ");
   const double yy = second.number("IYY"), yz = second.number("IYZ"), zz = second.number("IZZ");
   card.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
@@ -116,6 +118,11 @@ inline void inertia(FileNumber part, File& file, Draft& draft) {
     const Eigen::Matrix3d axes = axes_of(along, in_plane, 0, file.source(), file.line());
     card.inertia = (axes * card.inertia * axes.transpose()).eval();
   }
+  return card;
+}
+inline void inertia(FileNumber part, File& file, Draft& draft) {
+  FileNumber node = 0;
+  const InertiaCard card = inertia_card(part, file, node);
   if (node != 0) draft.centres.push_back({draft.deck.inertias.size(), node, file.line()});
   draft.deck.inertias.push_back(card);
 }
@@ -155,7 +162,7 @@ inline void composite(File& file, Draft& draft) {
   Card card = file.card();
   const FileNumber number = draft.own_number("part", Id::part, card, file);
   draft.raw.parts[draft.part(number)].name = name;
-  CompositeCard composite{number, card.integer("ELFORM", 2), card.number("SHRF", 1), card.number("NLOC"), {}};
+  CompositeCard composite{number, card.integer("ELFORM"), card.number("SHRF", 1), card.number("NLOC"), {}};
   file.ignore(card.number("MAREA"), "MAREA");
   PartCard part{number, std::move(name), 0, 0, 0, card.tag("HGID", Id::other)};
   if (file.base() == "*PART_COMPOSITE_CONTACT") part.contact = part_contact(file);

@@ -1,12 +1,8 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
-#include <set>
-#include <span>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -15,10 +11,11 @@
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/hardening.hpp>
+#include <strike/input/dyna/lookup.hpp>
+#include <strike/input/dyna/resolved_loads.hpp>
 #include <strike/input/dyna/sets.hpp>
 #include <strike/input/dyna/transformations.hpp>
 #include <strike/input/raw_mesh.hpp>
-#include <strike/mesh/select.hpp>
 
 namespace strike::detail::dyna {
 
@@ -58,111 +55,6 @@ inline std::vector<std::size_t> in_order(const std::vector<PendingSet>& sets, Na
   }
   return order;
 }
-
-[[noreturn, gnu::cold]] inline void refuse_missing(const File& file, const Choice& choice, const char* kind,
-                                                   const char* keyword) {
-  const std::string skipped = file.skipped(keyword);
-  file.source().refuse(choice.line, {kind, " ", std::to_string(choice.number),
-                                     skipped.empty() ? " is not in the file" : " is not among those read (", skipped,
-                                     skipped.empty() ? "" : " was skipped)", ": define it or correct the card."});
-}
-
-/// Nodes and parts that cards name, in a deck that is complete but for them.
-class Lookup {
- public:
-  Lookup(Finished& mesh, const DynaDeck& deck, const Draft& draft, const File& file)
-      : mesh_(mesh), deck_(deck), draft_(draft), file_(file) {
-    for (const NamedSet& set : deck.node_sets) add(set);
-    for (const NamedSet& set : deck.part_sets) part_sets_.try_emplace(set.number, &set);
-    for (const SegmentSet& set : deck.segment_sets) segment_sets_.try_emplace(set.number, &set);
-    for (const CoordinateCard& system : deck.coordinate_systems) systems_.try_emplace(system.number, &system);
-  }
-  void add(const NamedSet& node_set) { node_sets_.try_emplace(node_set.number, &node_set); }
-
-  /// The chosen nodes by their numbers in the mesh, in ascending order.
-  std::vector<Index> nodes(std::span<const Choice> choices) const {
-    std::vector<Index> added, removed;
-    std::set<std::tuple<Named, FileNumber, bool>> seen;
-    for (const Choice& choice : choices) {
-      if (choice.named != Named::node && !seen.emplace(choice.named, choice.number, choice.removes).second) continue;
-      std::vector<Index>& nodes = choice.removes ? removed : added;
-      const auto add = [&](const std::vector<Index>& more) {
-        mesh_.allowance.take(more.size(), choice.line);
-        nodes.insert(nodes.end(), more.begin(), more.end());
-      };
-      switch (choice.named) {
-        case Named::all:
-          add(all_nodes(deck_.mesh.nodes));
-          break;
-        case Named::node:
-          if (const Index n = mesh_.node(choice.number, file_.source(), choice.line); n != nothing) nodes.push_back(n);
-          break;
-        case Named::set:
-          add(found(node_sets_, choice, "the set of nodes", "*SET_NODE")->members);
-          break;
-        case Named::box:
-          add(nodes_in_box(choice));
-          break;
-        default:
-          for (const Index part : parts(choice)) {
-            const std::vector<Index>& cells = deck_.parts[part].members;
-            mesh_.allowance.take(8 * cells.size(), choice.line);
-            add(deck_.cells(cells).nodes());
-          }
-      }
-    }
-    added = ascending(std::move(added));
-    if (removed.empty()) return added;
-    removed = ascending(std::move(removed));
-    std::vector<Index> left;
-    std::set_difference(added.begin(), added.end(), removed.begin(), removed.end(), std::back_inserter(left));
-    return left;
-  }
-  const std::vector<std::array<Index, 4>>& segments(const Choice& choice) const {
-    const auto& segments = found(segment_sets_, choice, "the set of segments", "*SET_SEGMENT")->segments;
-    mesh_.allowance.take(4 * segments.size(), choice.line);
-    return segments;
-  }
-  /// The axes of a coordinate system.
-  const Eigen::Matrix3d& axes(const Choice& choice) const {
-    return found(systems_, choice, "coordinate system", "*DEFINE_COORDINATE")->axes;
-  }
-  /// The places of a part, or of the parts of a set.
-  std::vector<Index> parts(const Choice& choice) const {
-    if (choice.named == Named::part) return {found(draft_.parts, choice, "part", "*PART")};
-    const std::vector<Index>& members = found(part_sets_, choice, "the set of parts", "*SET_PART")->members;
-    mesh_.allowance.take(members.size(), choice.line);
-    return members;
-  }
-
- private:
-  std::vector<Index> nodes_in_box(const Choice& choice) const {
-    const auto box = draft_.boxes.find(choice.number);
-    if (box == draft_.boxes.end()) refuse_missing(file_, choice, "box", "*DEFINE_BOX");
-    mesh_.allowance.take(deck_.mesh.nodes.size(), choice.line);
-    std::vector<Index> inside;
-    for (Index n = 0; n < deck_.mesh.nodes.size(); ++n)
-      if (const auto& x = deck_.mesh.nodes[n].array();
-          (x >= box->second.least.array()).all() && (x <= box->second.most.array()).all())
-        inside.push_back(n);
-    return inside;
-  }
-  template <class Value>
-  Value found(const std::map<FileNumber, Value>& things, const Choice& choice, const char* kind,
-              const char* keyword) const {
-    const auto thing = things.find(choice.number);
-    if (thing == things.end()) refuse_missing(file_, choice, kind, keyword);
-    return thing->second;
-  }
-
-  Finished& mesh_;
-  const DynaDeck& deck_;
-  const Draft& draft_;
-  const File& file_;
-  std::map<FileNumber, const NamedSet*> node_sets_ = {}, part_sets_ = {};
-  std::map<FileNumber, const SegmentSet*> segment_sets_ = {};
-  std::map<FileNumber, const CoordinateCard*> systems_ = {};
-};
 
 /// The sets of parts, and those made of them.
 inline std::vector<NamedSet> resolved_part_sets(Draft& draft, const File& file, Allowance& allowance) {
@@ -251,20 +143,37 @@ inline std::vector<SegmentSet> resolved_segments(Draft& draft, const Finished& m
   return all;
 }
 
-inline ContactSide contact_side(const Side& side, const char* type, std::uint32_t line, const Lookup& lookup,
-                                const DynaDeck& deck, File& file) {
-  ContactSide result;
-  if (side.number == 0 || side.kind == 5) return result;
-  if (side.kind == 4)
-    result.nodes = lookup.nodes(std::array{Choice{Named::set, side.number, line}});
-  else if (side.kind == 2 || side.kind == 3)
-    for (const Index part : lookup.parts({side.kind == 2 ? Named::part_set : Named::part, side.number, line}))
-      result.parts.push_back(deck.parts[part].number);
-  else if (side.kind == 0)
-    result.segments = lookup.segments({Named::all, side.number, line});
-  else
-    file.ignore_on_line(line, joined({type, " ", std::to_string(side.kind), " of a contact (all parts are taken)"}));
-  return result;
+/// Names the parts, nodes or faces of the side, by SSTYP or MSTYP.
+inline void resolve_side(ContactSide& side, const Side& given, const char* type, std::uint32_t line,
+                         const Lookup& lookup, const DynaDeck& deck, File& file) {
+  if (given.number == 0 || given.kind == 5) return;
+  const auto number = [&](Index part) { return deck.parts[part].number; };
+  switch (given.kind) {
+    case 0:
+      side.segments = lookup.segments({Named::all, given.number, line});
+      break;
+    case 1:
+      lookup.add_faces({Named::shell_set, given.number, line}, side.segments);
+      break;
+    case 2:
+    case 3:
+      for (const Index part : lookup.parts({given.kind == 2 ? Named::part_set : Named::part, given.number, line}))
+        side.parts.push_back(number(part));
+      break;
+    case 4:
+      side.nodes = lookup.nodes(std::array{Choice{Named::set, given.number, line}});
+      break;
+    case 6: {
+      const std::vector<Index> exempt = lookup.parts({Named::part_set, given.number, line});
+      for (Index part = 0; part < deck.parts.size(); ++part)
+        if (!std::binary_search(exempt.begin(), exempt.end(), part)) side.parts.push_back(number(part));
+      if (side.parts.empty())
+        file.source().refuse(line, {"a contact exempts all parts: take some out of its set, or the contact."});
+      break;
+    }
+    default:
+      file.ignore_on_line(line, joined({type, " ", std::to_string(given.kind), " of a contact (all parts are taken)"}));
+  }
 }
 
 /// The deck. Errors: those of the mesh; a card names a node, set or part that is not there.
@@ -299,10 +208,14 @@ inline DynaDeck resolved(Draft draft, File& file) {
     }
   };
   add(deck.supports, draft.node_supports), add(deck.supports, draft.set_supports);
-  add(deck.velocities, draft.velocities), add(deck.walls, draft.walls);
+  add(deck.velocities, draft.velocities);
+  resolve_controls(draft, lookup, deck);
+  resolve_walls(draft, lookup, deck, file);
+  resolve_bodies(draft, lookup, deck);
+  resolve_loads(draft, lookup, deck, file);
   for (auto& [contact, slave, master, line] : draft.contacts) {
-    contact.slave = contact_side(slave, "SSTYP", line, lookup, deck, file);
-    contact.master = contact_side(master, "MSTYP", line, lookup, deck, file);
+    resolve_side(contact.slave, slave, "SSTYP", line, lookup, deck, file);
+    resolve_side(contact.master, master, "MSTYP", line, lookup, deck, file);
     deck.contacts.push_back(std::move(contact));
   }
   for (const auto& [material, system, line] : draft.rigid_systems)

@@ -3,7 +3,7 @@
 
 #include <strike/input/dyna/draft.hpp>
 
-// Sections, hourglass control, and the title, end time and step factor of the run.
+// Sections, hourglass control, and the title of the run.
 namespace strike::detail::dyna {
 
 /// Cards of a user's element: points and constants, LMC after so many fields.
@@ -29,7 +29,7 @@ inline void solid_section(File& file, Draft& draft) {
 inline void shell_section(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
     const FileNumber number = draft.own_number("section", Id::other, card, file);
-    SectionCard section{.number = number, .element_form = card.integer("ELFORM", 2), .corner_thickness = {}};
+    SectionCard section{.number = number, .element_form = card.integer("ELFORM"), .corner_thickness = {}};
     section.shear_factor = card.number("SHRF", 1);
     section.points = card.integer("NIP", 2);
     card.pass(1);
@@ -67,25 +67,6 @@ inline void hourglass(File& file, Draft& draft) {
 inline void nothing_more(File&, Draft&) {}
 inline void title_of_run(File& file, Draft&) { file.pass(); }
 inline void title(File& file, Draft& draft) { draft.deck.title = file.heading(); }
-inline void termination(File& file, Draft& draft) {
-  Card card = file.card();
-  draft.deck.end_time = card.number("ENDTIM");
-  file.ignore(card.number("ENDCYC"), "ENDCYC");
-  file.ignore(card.number("DTMIN"), "DTMIN");
-}
-inline void time_step(File& file, Draft& draft) {
-  Card card = file.card();
-  file.ignore(card.number("DTINIT"), "DTINIT");
-  draft.deck.step_factor = card.number("TSSFAC", 0.9);
-  card.pass(2);
-  file.ignore(card.number("DT2MS"), "DT2MS");
-}
-inline void bulk_viscosity(File& file, Draft& draft) {
-  Card card = file.card();
-  const double quadratic = card.number("Q1", 1.5);
-  draft.deck.bulk_viscosity = {quadratic, card.number("Q2", 0.06)};
-}
-
 inline constexpr auto section_keywords = std::to_array<Keyword>({
     {"*SECTION_SOLID", solid_section},
     {"*SECTION_SHELL", shell_section},
@@ -95,9 +76,6 @@ inline constexpr auto section_keywords = std::to_array<Keyword>({
     {"*KEYWORD_JOBID", title_of_run, Invariant::everywhere},
     {"*END", nothing_more, Invariant::everywhere},
     {"*TITLE", title, Invariant::everywhere},
-    {"*CONTROL_TERMINATION", termination},
-    {"*CONTROL_TIMESTEP", time_step},
-    {"*CONTROL_BULK_VISCOSITY", bulk_viscosity},
 });
 
 }  // namespace strike::detail::dyna

@@ -119,17 +119,21 @@ inline void box(File& file, Draft& draft) {
   Box& box = draft.boxes[draft.own_number("box", Id::define, card, file)];
   for (Eigen::Index i = 0; i < 3; ++i) box.least[i] = card.number("a bound"), box.most[i] = card.number("a bound");
 }
+/// Three or four corners. Errors: fewer, or more.
+inline PendingSegments::Segment segment_of(Card& card, const File& file) {
+  std::array<FileNumber, 4> corners;
+  for (FileNumber& corner : corners) corner = card.tag("a corner", Id::node);
+  if (corners[3] == 0) corners[3] = corners[2];
+  if (corners[0] == 0 || corners[1] == 0 || corners[2] == 0)
+    file.refuse({"a segment has fewer than three corners: give it three or four nodes."});
+  return {corners, file.line()};
+}
 inline void segment_set(File& file, Draft& draft) {
   std::string name = file.title();
   Card head = file.card();
   PendingSegments set{draft.own_number("set of segments", Id::set, head, file), std::move(name), {}};
   file.for_each_card([&](Card card) {
-    std::array<FileNumber, 4> corners;
-    for (FileNumber& corner : corners) corner = card.tag("a corner", Id::node);
-    if (corners[3] == 0) corners[3] = corners[2];
-    if (corners[0] == 0 || corners[1] == 0 || corners[2] == 0)
-      file.refuse({"a segment has fewer than three corners: give it three or four nodes."});
-    set.segments.push_back({corners, file.line()});
+    set.segments.push_back(segment_of(card, file));
     file.ignore_rest(card);
   });
   draft.segment_sets.push_back(std::move(set));

@@ -1,0 +1,176 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <strike/input/dyna/draft.hpp>
+#include <strike/input/dyna/sets.hpp>
+
+// Body loads, nodal loads, pressures and prescribed motions.
+namespace strike::detail::dyna {
+
+/// True for times of death beyond the end of any run, which have no effect.
+inline double early(double death) { return death < 1e20 ? death : 0; }
+
+/// The unit vector of degree of freedom 1, 2 or 3.
+inline Eigen::Vector3d unit_of(FileNumber axis) { return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis - 1)); }
+
+/// LCID and SF. Error: no curve.
+inline CardHistory history_of(Card& card, const File& file) {
+  CardHistory history{.curve = card.tag("LCID", Id::curve)};
+  history.scale = card.number("SF", 1);
+  if (history.curve == 0) file.refuse({file.name(), " has no LCID: give it a curve."});
+  return history;
+}
+inline bool follow_alike(const CardHistory& a, const CardHistory& b) {
+  return a.curve == b.curve && a.scale == b.scale && a.birth == b.birth && a.death == b.death;
+}
+
+template <int axis>
+void body_load(File& file, Draft& draft) {
+  Card card = file.card();
+  BodyLoadCard load{-unit_of(axis), history_of(card, file)};
+  file.ignore(card.number("LCIDDR"), "LCIDDR");
+  card.pass(3);  // the centre of a rotation
+  const FileNumber system = card.tag("CID", Id::define);
+  draft.body_loads.push_back({std::move(load), {}, system, file.line()});
+}
+inline void body_load_parts(File& file, Draft& draft) {
+  if (const FileNumber set = file.card().tag("PSID", Id::set); set != 0)
+    draft.body_load_parts.push_back({Named::part_set, set, file.line()});
+}
+
+/// Lines that load other nodes alike are one load; a node that is loaded twice begins another.
+template <Named named>
+void nodal_loads(File& file, Draft& draft) {
+  std::set<FileNumber> in_last;
+  file.for_each_titled_card([&](Card card) {
+    const char* const field = named == Named::node ? "NID" : "NSID";
+    const FileNumber number = card.tag(field, named == Named::node ? Id::node : Id::set);
+    const FileNumber freedom = card.integer("DOF");
+    if (number == 0 && freedom == 0) return;
+    if (number == 0) file.refuse({"a nodal load has no ", field, ": give it one."});
+    if (freedom < 1 || freedom > 8)
+      file.refuse({"DOF ", std::to_string(freedom), " of a nodal load is none: give 1 to 3, or 5 to 7 for a moment."});
+    NodalLoadCard load{{}, Eigen::Vector3d::Zero(), freedom > 4, history_of(card, file)};
+    const FileNumber system = card.tag("CID", Id::define);
+    if (freedom == 4 || freedom == 8) return file.ignore(1, "A force that follows its nodes (DOF 4 or 8)");
+    load.direction = unit_of(load.turns ? freedom - 4 : freedom);
+    const Choice choice{named, number, file.line()};
+    auto& all = draft.nodal_loads;
+    const bool joins = !in_last.empty() && all.back().system == system && all.back().card.turns == load.turns &&
+                       all.back().card.direction == load.direction &&
+                       follow_alike(all.back().card.history, load.history) && !in_last.contains(number);
+    if (!joins) {
+      all.push_back({std::move(load), {}, system, file.line()});
+      in_last.clear();
+    }
+    all.back().choices.push_back(choice);
+    if (named == Named::node) in_last.insert(number);
+  });
+}
+
+/// The pressure that a line joins: the last of its keyword, if both follow one history.
+inline PendingPressure& pressure_of(CardHistory history, std::size_t first, File& file, Draft& draft) {
+  auto& all = draft.pressures;
+  if (all.size() == first || !follow_alike(all.back().card.history, history))
+    all.push_back({{{}, std::move(history)}, {}, {}, file.line()});
+  return all.back();
+}
+inline CardHistory pressure_history(Card& card, File& file) {
+  CardHistory history = history_of(card, file);
+  history.birth = card.number("AT");
+  return history;
+}
+inline void segment_pressures(File& file, Draft& draft) {
+  const std::size_t first = draft.pressures.size();
+  file.for_each_titled_card([&](Card card) {
+    CardHistory history = pressure_history(card, file);
+    PendingPressure& pressure = pressure_of(std::move(history), first, file, draft);
+    pressure.segments.push_back(segment_of(card, file));
+    if (card.tag("N5", Id::node) != 0) file.refuse({"a segment has more than four corners: mesh in first order."});
+  });
+}
+template <Named named>
+void pressures(File& file, Draft& draft) {
+  const std::size_t first = draft.pressures.size();
+  file.for_each_titled_card([&](Card card) {
+    const char* const field = named == Named::segment_set ? "SSID" : named == Named::shell ? "EID" : "ESID";
+    const FileNumber number = card.tag(field, named == Named::shell ? Id::element : Id::set);
+    if (number == 0 && !card.says_more()) return;
+    if (number == 0) file.refuse({"a pressure has no ", field, ": give it one."});
+    CardHistory history = pressure_history(card, file);
+    file.ignore_rest(card);
+    pressure_of(std::move(history), first, file, draft).choices.push_back({named, number, file.line()});
+  });
+}
+
+/// Motions of successive nodes that are alike are one.
+template <Named named>
+void prescribed_motions(File& file, Draft& draft) {
+  using Kind = PrescribedMotionCard::Kind;
+  const std::size_t first = draft.motions.size();
+  file.for_each_titled_card([&](Card card) {
+    constexpr bool of_part = named == Named::part;
+    const char* const field = of_part ? "PID" : named == Named::node ? "NID" : "NSID";
+    const std::uint32_t line = file.line();
+    const FileNumber number = card.tag(field, of_part ? Id::part : named == Named::node ? Id::node : Id::set);
+    const FileNumber freedom = card.integer("DOF"), kind = card.integer("VAD");
+    if (number == 0 && freedom == 0) return;
+    if (number == 0) file.refuse({"a prescribed motion has no ", field, ": give it one."});
+    PrescribedMotionCard motion{};
+    motion.history = history_of(card, file);
+    const FileNumber vector = card.tag("VID", Id::define);
+    if (const double death = card.number("DEATH"); death > 0 && early(death) != 0) motion.history.death = death;
+    motion.history.birth = card.number("BIRTH");
+    const FileNumber size = std::abs(freedom);
+    if (size < 1 || size > 12 || (freedom < 0 && (size < 8 || size == 12) && size != 4))
+      file.refuse({"DOF ", std::to_string(freedom),
+                   " of a prescribed motion is none: give 1 to 3, 5 to 7, or 4 and 8 with a VID."});
+    if (kind < 0 || kind > 4)
+      file.refuse({"VAD ", std::to_string(kind), " is none: give 0 (velocity), 1 (acceleration) or 2 (displacement)."});
+    const auto leave = [&](const char* what) { file.ignore_on_line(line, joined({what, " of ", file.name()})); };
+    if ((size >= 9 && size <= 11) || kind == 4) file.pass_card();
+    if (size > 8) return leave("A motion about an offset axis or along normals (DOF 9 to 12)");
+    if (kind > 2) return leave("A motion over displacements, or of one body to another (VAD 3 or 4)");
+    const bool by_vector = size == 4 || size == 8;
+    if (by_vector && vector == 0)
+      file.refuse({"DOF ", std::to_string(freedom), " of a prescribed motion has no VID: give it a *DEFINE_VECTOR."});
+    motion.turns = size > 4;
+    motion.holds_others = freedom < 0;
+    motion.kind = kind == 0 ? Kind::velocity : kind == 1 ? Kind::acceleration : Kind::displacement;
+    motion.direction = by_vector ? Eigen::Vector3d::Zero().eval() : unit_of(motion.turns ? size - 4 : size);
+    if (of_part) motion.body = number;
+    const Choice choice{named, number, line};
+    auto& all = draft.motions;
+    if (named == Named::node && all.size() > first) {
+      const PrescribedMotionCard& last = all.back().card;
+      if (last.turns == motion.turns && last.holds_others == motion.holds_others && last.kind == motion.kind &&
+          last.direction == motion.direction && follow_alike(last.history, motion.history) &&
+          all.back().vector == (by_vector ? vector : 0))
+        return all.back().choices.push_back(choice);
+    }
+    all.push_back({std::move(motion), {choice}, by_vector ? vector : 0, line});
+  });
+}
+
+inline constexpr auto force_keywords = std::to_array<Keyword>({
+    {"*LOAD_BODY_X", body_load<1>, Invariant::none},
+    {"*LOAD_BODY_Y", body_load<2>, Invariant::none},
+    {"*LOAD_BODY_Z", body_load<3>, Invariant::none},
+    {"*LOAD_BODY_PARTS", body_load_parts, Invariant::everywhere},
+    {"*LOAD_NODE_POINT", nodal_loads<Named::node>, Invariant::none},
+    {"*LOAD_NODE_SET", nodal_loads<Named::set>, Invariant::none},
+    {"*LOAD_SEGMENT", segment_pressures},
+    {"*LOAD_SEGMENT_SET", pressures<Named::segment_set>},
+    {"*LOAD_SHELL_ELEMENT", pressures<Named::shell>},
+    {"*LOAD_SHELL_SET", pressures<Named::shell_set>},
+    {"*BOUNDARY_PRESCRIBED_MOTION_NODE", prescribed_motions<Named::node>, Invariant::none},
+    {"*BOUNDARY_PRESCRIBED_MOTION_SET", prescribed_motions<Named::set>, Invariant::none},
+    {"*BOUNDARY_PRESCRIBED_MOTION_RIGID", prescribed_motions<Named::part>, Invariant::none},
+});
+
+}  // namespace strike::detail::dyna
