@@ -179,7 +179,7 @@ TEST_CASE("dyna laws: rigid bodies with their constraints in space, and in axes 
   CHECK(local.axes() == Axes{z});
   CHECK(ignored(read_cube("*MAT_020\n1,1,1,.3,1,2,3\n0\n1,2\n")) == "N;COUPLE;M;LCO or A and V;");
   refuses_cube("*MAT_020\n1,1,1,.3\n1,8\n", "the constraint 8 of a rigid material is none: give 0 to 7.");
-  refuses_cube("*MAT_020\n1,1,1,.3\n-1,0,111112\n", "CON2 111112 is none: give six digits 0 or 1");
+  refuses_cube("*MAT_020\n1,1,1,.3\n-1,0,111112\n", "CON2 111112 is none: give six digits of 0 or 1");
   refuses_cube("*MAT_020\n1,1,1,.3\n-1,5,1\n", "coordinate system 5 is not in the file");
   refuses_cube("*MAT_020\n1,1,1,.3\n2\n", "CMO is neither 1, 0 nor -1");
 

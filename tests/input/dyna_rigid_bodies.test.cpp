@@ -136,7 +136,7 @@ TEST_CASE("dyna rigid bodies: what is wrong is told with its line") {
   refused("*CONSTRAINED_NODAL_RIGID_BODY\n5\n", "line 19: the set of nodes 5 is not in the file");
   refused("*CONSTRAINED_NODAL_RIGID_BODY\n,0,1\n", "line 19: a rigid body has no number: number from 1.");
   refused("*CONSTRAINED_NODAL_RIGID_BODY\n5,0,1\n5,0,1\n", "line 20: rigid body 5 is on line 19 already");
-  refused("*CONSTRAINED_NODAL_RIGID_BODY_SPC\n5,0,1\n1,8\n", "the constraint 8 of a node is none: give 0 to 7.");
+  refused("*CONSTRAINED_NODAL_RIGID_BODY_SPC\n5,0,1\n1,8\n", "the constraint 8 of a rigid body is none: give 0 to 7.");
   refused("*CONSTRAINED_NODAL_RIGID_BODY_SPC\n5,0,1\n-1,3,12\n", "six digits of 0 or 1");
   refused("*CONSTRAINED_NODAL_RIGID_BODY_SPC\n5,0,1\n-1,3,1000000\n", "six digits of 0 or 1");
   refused("*CONSTRAINED_NODAL_RIGID_BODY_SPC\n5,0,1\n-1,3,-1\n", "six digits of 0 or 1");

@@ -28,6 +28,7 @@ inline std::string code_of(const std::vector<Eigen::Vector3d>& all) {
   return joined({"{", text, "}"});
 }
 
+inline std::string code_of(const TabulatedHardening& law);
 template <class Model>
 std::string code_of(const Model& model);
 

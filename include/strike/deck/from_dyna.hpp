@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,11 +31,29 @@ class FromDyna {
     made_.title = deck.title, made_.nodes = deck.mesh.nodes;
     if (deck.step_factor > 0) made_.options.step_factor = deck.step_factor;
     made_.end = deck.end_time, made_.interval = deck.end_time / 40;
+    if (const double dt = deck.interval("D3PLOT"); dt > 0) made_.interval = dt;
     if (!(made_.end > 0)) cannot({"The deck has no end: give *CONTROL_TERMINATION its ENDTIM."});
+    if (deck.mass_scaled_step != 0) cannot({"DT2MS: no mass is scaled."});
     for (const NamedSet& part : deck.parts) add_part(part);
+    for (const NamedSet& part : deck.parts) add_body(part);
+    for (std::size_t i = 0; i < deck.rigid_bodies.size(); ++i) add_body(i);
+    for (const auto& extra : deck.extra_nodes)
+      cannot({"The extra nodes of rigid part ", std::to_string(extra.part), " do not move with it."});
+    if (!deck.detonations.empty()) cannot({"*INITIAL_DETONATION: nothing detonates."});
+    if (!deck.shells.empty())
+      cannot({"The values of ", std::to_string(deck.shells.size()),
+              " shells of their own: those of their section count."});
+    for (const auto& composite : deck.composites)
+      cannot({"The layers of *PART_COMPOSITE ", std::to_string(composite.part), " are left out."});
     for (std::size_t i = 0; i < deck.velocities.size(); ++i) add_velocity(i);
     for (std::size_t i = 0; i < deck.supports.size(); ++i) add_support(i);
+    for (std::size_t i = 0; i < deck.motions.size(); ++i) add_motion(i);
+    for (std::size_t i = 0; i < deck.body_loads.size(); ++i) add_body_force(i);
+    for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) add_nodal_force(i);
+    for (std::size_t i = 0; i < deck.pressures.size(); ++i) add_pressure(i);
     for (std::size_t i = 0; i < deck.walls.size(); ++i) add_wall(i);
+    for (std::size_t i = 0; i < deck.obstacles.size(); ++i)
+      cannot({"A rigid sphere or cylinder of *RIGIDWALL_GEOMETRIC is left out."});
     add_contacts();
     for (const std::string& warning : deck.warnings)
       (is_harmless(warning) ? made_.replaced : made_.cannot).push_back(warning);
@@ -95,30 +115,44 @@ class FromDyna {
     }
     std::visit([&](const auto& law) { add_part(part, cells, *card, *material, law); }, material->material);
   }
-  /// The materials that a card of a deck makes: f(material, the law by which elements are deleted).
-  template <class F>
-  bool with_material(FileNumber, const Elastic& elastic, const F& f) {
-    return f(elastic, NoErosion{}), true;
-  }
-  template <class F>
-  bool with_material(FileNumber, const PlasticMaterial& m, const F& f) {
-    if (m.failure)
-      f(Solid{m.eos, m.strength, *m.failure}, Erosion{});
+  /// f(the material of a card, the law by which its elements are deleted). False: there is none.
+  template <class Card, class F>
+  bool with_material(FileNumber part, const Card& m, const F& f) {
+    if constexpr (std::is_same_v<Card, Elastic>)
+      return f(m, NoErosion{}), true;
+    else if constexpr (std::is_same_v<Card, NullMaterial>)
+      return with_eos(part, [&](const auto& eos) { f(Fluid{eos, Newtonian{m.viscosity}}, NoErosion{}); });
+    else if constexpr (requires { Solid{m.eos, m.strength}; })
+      return with_strength(part, m.eos, m, f), true;
+    else if constexpr (requires { Solid{GruneisenEos{}, m.strength}; })
+      return with_eos(part, [&](const auto& eos) { with_strength(part, eos, m, f); });
     else
-      f(Solid{m.eos, m.strength}, NoErosion{});
-    return true;
+      return false;
   }
-  template <class F>
-  bool with_material(FileNumber part, const HydroMaterial& m, const F& f) {
-    return with_eos(part, [&](const auto& eos) { f(Solid{eos, m.strength}, NoErosion{}); });
-  }
-  template <class F>
-  bool with_material(FileNumber part, const JohnsonCookMaterial& m, const F& f) {
-    return with_eos(part, [&](const auto& eos) { f(Solid{eos, m.strength}, NoErosion{}); });
-  }
-  template <class F>
-  bool with_material(FileNumber part, const NullMaterial& m, const F& f) {
-    return with_eos(part, [&](const auto& eos) { f(Fluid{eos, Newtonian{m.viscosity}}, NoErosion{}); });
+  template <class Eos, class Card, class F>
+  void with_strength(FileNumber part, const Eos& eos, const Card& m, const F& f) {
+    const FileNumber number = numbered(deck_.part_cards, part)->material;
+    const auto erosion = std::find_if(deck_.erosions.begin(), deck_.erosions.end(),
+                                      [&](const ErosionCard& card) { return card.material == number; });
+    const bool erodes = erosion != deck_.erosions.end();
+    if (erodes && (erosion->volume > 0 || erosion->equivalent_stress || erosion->principal_stress || erosion->impulse))
+      cannot({"Of *MAT_ADD_EROSION of material ", std::to_string(number), " the strain EFFEPS alone counts."});
+    const auto with_law = [&](const auto& law) {
+      if constexpr (has_plastic_strain<Solid<Eos, std::remove_cvref_t<decltype(law)>>>()) {
+        if (erodes && std::isfinite(erosion->strain))
+          return f(Solid{eos, law, FailureStrain{erosion->strain}}, Erosion{});
+      } else if (erodes) {
+        cannot({"*MAT_ADD_EROSION of material ", std::to_string(number), ", which does not flow, is left out."});
+      }
+      if constexpr (requires { *m.failure; })
+        if (m.failure) return f(Solid{eos, law, *m.failure}, Erosion{});
+      if constexpr (requires { m.damage; })
+        if (m.damage[0] != 0 || m.damage[1] != 0) cannot({"The damage D1 to D5 of *MAT_JOHNSON_COOK is left out."});
+      f(Solid{eos, law}, NoErosion{});
+    };
+    if constexpr (requires { *m.rate; })
+      if (m.rate) return with_law(CowperSymonds{m.strength, m.rate->D, m.rate->p});
+    with_law(m.strength);
   }
   /// f(the equation of state of a part). False: it has none.
   template <class F>
@@ -126,21 +160,22 @@ class FromDyna {
     const PartCard* const card = numbered(deck_.part_cards, part);
     const EosCard* const eos = numbered(deck_.equations_of_state, card->eos);
     if (!eos) return false;
-    std::visit([&]<class Eos>(const Eos&) { f(deck_.eos<Eos>(part)); }, eos->eos);
-    return true;
+    return std::visit(
+        [&]<class Eos>(const Eos&) {
+          if constexpr (requires(Eos e) { e.pressure_cutoff; }) f(deck_.eos<Eos>(part));
+          return requires(Eos e) { e.pressure_cutoff; };
+        },
+        eos->eos);
   }
 
   template <class Law>
   void add_part(const NamedSet& part, const PartCells& cells, const PartCard& card, const MaterialCard& material,
                 const Law& law) {
-    bool fits = false;
-    if constexpr (requires(void (*f)(const Elastic&, const NoErosion&)) {
-                    with_material(part.number, law, [](auto&&...) {});
-                  })
-      fits = with_material(part.number, law, [&](const auto& m, const auto& removal) {
-        add_solids(part, cells, card, m, removal);
-        add_plates(part, cells, card, m, removal);
-      });
+    if constexpr (std::is_same_v<Law, RigidMaterial>) return;
+    const bool fits = with_material(part.number, law, [&](const auto& m, const auto& removal) {
+      add_solids(part, cells, card, m, removal);
+      add_plates(part, cells, card, m, removal);
+    });
     if (!fits)
       cannot({name_of(part), ": ", material.keyword, " has no material here, or lacks its equation of state."});
   }
@@ -154,7 +189,9 @@ class FromDyna {
   void add_solids(const NamedSet& part, const PartCells& cells, const PartCard& card, const M& material,
                   const Removal& removal) {
     const SectionCard* const section = numbered(deck_.sections, card.section);
-    const HourglassCard* const control = numbered(deck_.hourglass_controls, card.hourglass);
+    const HourglassCard* const control = card.hourglass == 0 && deck_.hourglass_control
+                                             ? &*deck_.hourglass_control
+                                             : numbered(deck_.hourglass_controls, card.hourglass);
     const BulkViscosity viscosity = viscosity_of(control);
     if (!cells.hexahedra.empty()) {
       const FileNumber form = section ? section->element_form : 1, type = control ? control->type : 1;
@@ -224,6 +261,101 @@ class FromDyna {
     }
   }
 
+  // Rigid bodies
+
+  const RigidMaterial* rigid(FileNumber part) const {
+    const PartCard* const card = numbered(deck_.part_cards, part);
+    const MaterialCard* const material = card ? numbered(deck_.materials, card->material) : nullptr;
+    return material ? std::get_if<RigidMaterial>(&material->material) : nullptr;
+  }
+  /// The part with which it moves.
+  FileNumber lead_of(FileNumber part) const {
+    for (std::size_t turns = 0; turns <= deck_.rigid_merges.size(); ++turns)
+      for (const RigidMergeCard& merge : deck_.rigid_merges)
+        if (merge.constrained == part) part = merge.lead;
+    return part;
+  }
+  /// The rigid body of a part, with the parts that move with it.
+  void add_body(const NamedSet& part) {
+    const RigidMaterial* const material = rigid(part.number);
+    if (!material || lead_of(part.number) != part.number) return;
+    std::vector<FileNumber> members;
+    double thickness = 0;
+    std::string numbers;
+    for (const NamedSet& other : deck_.parts) {
+      const RigidMaterial* const its = rigid(other.number);
+      if (!its || lead_of(other.number) != part.number) continue;
+      const PartCells cells = deck_.part(other.number);
+      members.push_back(other.number);
+      numbers += joined({numbers.empty() ? "" : ", ", std::to_string(other.number)});
+      if (its->density != material->density)
+        cannot(
+            {name_of(other), ": the density is that of part ", std::to_string(part.number), ", with which it moves."});
+      const SectionCard* const section = numbered(deck_.sections, card_of(other)->section);
+      if (!cells.quadrilaterals.empty() && section) thickness = section->thickness;
+      if (!cells.hexahedra.empty() || !cells.tetrahedra.empty()) owners_.push_back(other.number);
+      if (!cells.quadrilaterals.empty()) owners_.push_back(other.number);
+    }
+    const Mesh mesh = deck_.cells_of(members);
+    if (numbered_inertia(part.number))
+      cannot({name_of(part), ": mass and inertia are those of its cells, not of *PART_INERTIA."});
+    std::string code = joined({"RigidBody{deck.cells_of({", numbers, "}), ", code_of(material->density)});
+    if (!mesh.quadrilaterals.empty()) code += ", " + code_of(thickness);
+    add_guided(part.number, HeldBody{material->directions(), material->axes()}, code, [&](const auto&... guides) {
+      return RigidBody{mesh, material->density, thickness, guides...};
+    });
+    becomes({name_of(part), ": a rigid body of ", std::to_string(mesh.hexahedra.size() + mesh.tetrahedra.size()),
+             " solids and ", std::to_string(mesh.quadrilaterals.size()), " plates"});
+  }
+  const InertiaCard* numbered_inertia(FileNumber part) const {
+    for (const InertiaCard& card : deck_.inertias)
+      if (card.part == part) return &card;
+    return nullptr;
+  }
+  void add_body(std::size_t i) {
+    const RigidBodyCard& card = deck_.rigid_bodies[i];
+    if (card.inertia) cannot({"Rigid body ", std::to_string(card.number), ": its own inertia is left out."});
+    add_guided(card.number, HeldBody{card.held.directions(), card.held.axes()},
+               joined({"RigidBody{deck.rigid_bodies[", std::to_string(i), "].nodes, Inertia{}"}),
+               [&](const auto&... guides) {
+                 return RigidBody{card.nodes, Inertia{}, guides...};
+               });
+    becomes({"Rigid body ", std::to_string(card.number), " of ", std::to_string(card.nodes.size()), " nodes"});
+  }
+  /// A body with what holds it and moves it; `make` takes the guides.
+  template <class Make>
+  void add_guided(FileNumber number, const HeldBody& held, std::string code, const Make& make) {
+    const bool holds = !held.directions().empty() || !held.axes().empty();
+    std::optional<std::size_t> driven;
+    for (std::size_t i = 0; i < deck_.motions.size(); ++i)
+      if (deck_.motions[i].body == number && number != 0) {
+        if (driven || !is_usual(deck_.motions[i]))
+          cannot({"Rigid body ", std::to_string(number), ": one of its prescribed motions is left out."});
+        else
+          driven = i;
+      }
+    if (holds || driven) code += joined({", HeldBody{", code_of(held.directions()), ", ", code_of(held.axes()), "}"});
+    if (!driven) {
+      code += "}";
+      made_.bodies.push_back(holds ? Stated<DeckBody>{make(held), code} : Stated<DeckBody>{make(), code});
+      return;
+    }
+    const PrescribedMotionCard& motion = deck_.motions[*driven];
+    const std::string of = joined({"deck.motions[", std::to_string(*driven), "]"});
+    const auto end = [&](const char* name) {
+      return joined({code, ", ", name, "{", of, ".direction, ", of, ".history}}"});
+    };
+    if (motion.kind == PrescribedMotionCard::Kind::velocity)
+      made_.bodies.push_back({make(held, BodyVelocity{motion.direction, motion.history}), end("BodyVelocity")});
+    else
+      made_.bodies.push_back({make(held, BodyDisplacement{motion.direction, motion.history}), end("BodyDisplacement")});
+  }
+  /// A velocity or a displacement along a direction, all over the run.
+  bool is_usual(const PrescribedMotionCard& motion) const {
+    return !motion.turns && !motion.holds_others && motion.kind != PrescribedMotionCard::Kind::acceleration &&
+           motion.history.birth <= 0 && motion.history.death >= deck_.end_time;
+  }
+
   // Conditions
 
   void add_velocity(std::size_t i) {
@@ -246,8 +378,57 @@ class FromDyna {
     becomes({"Support of ", std::to_string(card.nodes.size()), " nodes along ", code_of(card.directions()), ", about ",
              code_of(card.axes())});
   }
+  void add_motion(std::size_t i) {
+    const PrescribedMotionCard& card = deck_.motions[i];
+    if (card.body != 0) return;
+    if (!is_usual(card)) {
+      cannot({"A prescribed motion of ", std::to_string(card.nodes.size()),
+              " nodes is left out: it is an acceleration or a turn, holds other directions, or begins or ends in the "
+              "run."});
+      return;
+    }
+    const std::string of = joined({"deck.motions[", std::to_string(i), "]"});
+    const bool is_velocity = card.kind == PrescribedMotionCard::Kind::velocity;
+    const char* const name = is_velocity ? "PrescribedVelocity" : "PrescribedDisplacement";
+    const std::string code = joined({name, "{", of, ".direction, ", of, ".nodes, ", of, ".history}"});
+    made_.motions.push_back(
+        is_velocity ? Stated<DeckMotion>{PrescribedVelocity{card.direction, card.nodes, card.history}, code}
+                    : Stated<DeckMotion>{PrescribedDisplacement{card.direction, card.nodes, card.history}, code});
+    becomes({name, " of ", std::to_string(card.nodes.size()), " nodes along ", code_of(card.direction)});
+  }
+  void add_body_force(std::size_t i) {
+    const BodyLoadCard& card = deck_.body_loads[i];
+    if (!card.parts.empty()) cannot({"*LOAD_BODY_PARTS: all parts feel the body force."});
+    const std::string of = joined({"deck.body_loads[", std::to_string(i), "]"});
+    made_.body_forces.push_back(
+        {BodyForce{card.direction, card.history}, joined({"BodyForce{", of, ".direction, ", of, ".history}"})});
+    becomes({"Body force along ", code_of(card.direction)});
+  }
+  void add_nodal_force(std::size_t i) {
+    const NodalLoadCard& card = deck_.nodal_loads[i];
+    if (card.turns) {
+      cannot({"A moment on ", std::to_string(card.nodes.size()), " nodes is left out."});
+      return;
+    }
+    const std::string of = joined({"deck.nodal_loads[", std::to_string(i), "]"});
+    made_.nodal_forces.push_back({NodalForce{card.direction, card.nodes, card.history},
+                                  joined({"NodalForce{", of, ".direction, ", of, ".nodes, ", of, ".history}"})});
+    becomes({"Force on ", std::to_string(card.nodes.size()), " nodes along ", code_of(card.direction)});
+  }
+  void add_pressure(std::size_t i) {
+    const PressureLoadCard& card = deck_.pressures[i];
+    const std::string of = joined({"deck.pressures[", std::to_string(i), "]"});
+    made_.pressures.push_back(
+        {Pressure{card.faces(), card.history}, joined({"Pressure{", of, ".faces(), ", of, ".history}"})});
+    becomes({"Pressure on ", std::to_string(card.segments.size()), " faces"});
+  }
   void add_wall(std::size_t i) {
     const WallCard& card = deck_.walls[i];
+    if (card.edges || card.motion || card.mass != 0) {
+      cannot({"A rigid wall that ends or moves is left out."});
+      return;
+    }
+    if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
     made_.walls.push_back({RigidWall{card.point, card.normal, card.nodes, card.friction},
                            joined({"RigidWall{", code_of(card.point), ", ", code_of(card.normal), ", deck.walls[",
                                    std::to_string(i), "].nodes, ", code_of(card.friction), "}"})});
@@ -281,12 +462,20 @@ class FromDyna {
     std::vector<Touching> all;
     std::set<std::array<std::size_t, 2>> taken;
     for (const ContactCard& card : deck_.contacts) {
+      if (card.is_tied()) {
+        cannot({"Contact ", card.kind, " is left out."});
+        continue;
+      }
+      if (card.birth > 0 || card.death < deck_.end_time) cannot({"Contact ", card.kind, " acts all over the run."});
+      if (card.slave.thickness != 0 || card.master.thickness != 0 || card.slave.thickness_scale != 1 ||
+          card.master.thickness_scale != 1)
+        replaced({"Contact ", card.kind, ": plates are as thick as their sections say."});
       const auto by_parts = [](const ContactSide& side) { return side.nodes.empty() && side.segments.empty(); };
       if (!by_parts(card.slave) || !by_parts(card.master)) {
         cannot({"Contact ", card.kind, " of nodes or segments is left out: give it parts or sets of parts."});
         continue;
       }
-      const bool single = card.kind == "SINGLE_SURFACE" || card.kind == "GENERAL";
+      const bool single = card.kind.find("SINGLE_SURFACE") != card.kind.npos || card.kind == "GENERAL";
       const std::vector<std::size_t> slaves = places_of(card.slave), masters = single ? slaves : places_of(card.master);
       const double friction = friction_of(card);
       auto same = std::find_if(all.begin(), all.end(), [&](const Touching& one) { return one.friction == friction; });

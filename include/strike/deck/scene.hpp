@@ -20,7 +20,12 @@
 #include <strike/element/hex8.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
+#include <strike/input/dyna_load_cards.hpp>
+#include <strike/load/body_force.hpp>
 #include <strike/load/initial_velocity.hpp>
+#include <strike/load/nodal_force.hpp>
+#include <strike/load/prescribed_motion.hpp>
+#include <strike/load/pressure.hpp>
 #include <strike/load/rigid_body.hpp>
 #include <strike/load/support.hpp>
 #include <strike/material/elastic.hpp>
@@ -31,8 +36,10 @@
 #include <strike/material/fluid.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
+#include <strike/material/strength/cowper_symonds.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
+#include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/section/layered.hpp>
 
@@ -43,21 +50,26 @@ namespace strike {
 using DeckHexahedron = Hex8<ViscousHourglass>;
 using DeckMetal = Solid<LinearEos, RateVonMises>;
 using DeckFailingMetal = Solid<LinearEos, RateVonMises, FailureStrain>;
+using DeckCurve = Solid<LinearEos, TabulatedHardening>;
+using DeckFailingCurve = Solid<LinearEos, TabulatedHardening, FailureStrain>;
 template <class M>
 using DeckSection = Homogeneous<PlaneStress<M>>;
 
 /// A part of a deck.
 using DeckPart = AnyPart<
     PartOf<DeckHexahedron, Elastic>, PartOf<DeckHexahedron, DeckMetal>,
-    PartOf<DeckHexahedron, DeckFailingMetal, Erosion>, PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook>>,
-    PartOf<DeckHexahedron, Solid<PolynomialEos, VonMises>>, PartOf<DeckHexahedron, Solid<GruneisenEos, VonMises>>,
+    PartOf<DeckHexahedron, DeckFailingMetal, Erosion>, PartOf<DeckHexahedron, DeckCurve>,
+    PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook>>, PartOf<DeckHexahedron, Solid<PolynomialEos, VonMises>>,
     PartOf<DeckHexahedron, Fluid<PolynomialEos, Newtonian>>, PartOf<DeckHexahedron, Fluid<GruneisenEos, Newtonian>>,  //
     PartOf<Hex8<>, Elastic>, PartOf<Hex8<>, DeckMetal>, PartOf<Hex8<>, DeckFailingMetal, Erosion>,
     PartOf<Tet4<>, Elastic>, PartOf<Tet4<>, DeckMetal>, PartOf<Tet4<>, DeckFailingMetal, Erosion>,
     PartOf<Plate4<>, DeckSection<Elastic>>, PartOf<Plate4<>, DeckSection<DeckMetal>>,
-    PartOf<Plate4<>, DeckSection<DeckFailingMetal>, Erosion>>;
+    PartOf<Plate4<>, DeckSection<DeckFailingMetal>, Erosion>, PartOf<Plate4<>, DeckSection<DeckCurve>>,
+    PartOf<Plate4<>, DeckSection<DeckFailingCurve>, Erosion>>;
 
-using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>>;
+using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
+                              RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;
+using DeckMotion = std::variant<PrescribedVelocity<CardHistory>, PrescribedDisplacement<CardHistory>>;
 using DeckContact = Contact<Everything, Penalty, Coulomb>;
 
 /// An item of a deck's scene with the C++ that makes it.
@@ -82,6 +94,10 @@ struct DeckScene {
   std::vector<Stated<DeckBody>> bodies = {};
   std::vector<Stated<InitialVelocity>> velocities = {};
   std::vector<Stated<Support>> supports = {};
+  std::vector<Stated<DeckMotion>> motions = {};
+  std::vector<Stated<BodyForce<CardHistory>>> body_forces = {};
+  std::vector<Stated<NodalForce<CardHistory>>> nodal_forces = {};
+  std::vector<Stated<Pressure<CardHistory>>> pressures = {};
   std::vector<Stated<RigidWall>> walls = {};
   std::vector<Stated<DeckContact>> contacts = {};
   ExplicitOptions options = {};
@@ -92,9 +108,11 @@ struct DeckScene {
   std::vector<std::string> replaced = {};  ///< another law or element stands for what the deck asks for
   std::vector<std::string> cannot = {};    ///< what is left out; the answer would be another one
 
-  /// Parts, rigid bodies, initial velocities, supports, walls and contacts, in the order of the deck.
+  /// Parts, rigid bodies, initial velocities, supports, motions, loads, walls and contacts, in the order of the deck.
   auto scene() const {
-    return Scene{nodes, items(parts), items(bodies), items(velocities), items(supports), items(walls), items(contacts)};
+    return Scene{nodes,          items(parts),       items(bodies),       items(velocities), items(supports),
+                 items(motions), items(body_forces), items(nodal_forces), items(pressures),  items(walls),
+                 items(contacts)};
   }
 
  private:

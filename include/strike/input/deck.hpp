@@ -60,6 +60,17 @@ struct Deck {
     if (const NamedSet* set = find(parts, number)) return cells(set->members);
     throw Error(detail::joined({"strike: no part has the number ", std::to_string(number), ": ", choice_of(parts)}));
   }
+  /// The mesh of those parts alone, with all nodes. Error: a part is not there.
+  Mesh cells_of(const std::vector<FileNumber>& numbers) const {
+    Mesh all{mesh.nodes};
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    for (const FileNumber number : numbers) {
+      const PartCells cells = part(number);
+      add(all.hexahedra, cells.hexahedra), add(all.tetrahedra, cells.tetrahedra);
+      add(all.quadrilaterals, cells.quadrilaterals);
+    }
+    return all;
+  }
   /// The nodes of a set. Error: it is not there.
   const std::vector<Index>& nodes(std::string_view name) const {
     if (const NamedSet* set = find(node_sets, name)) return set->members;

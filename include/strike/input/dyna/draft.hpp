@@ -50,10 +50,10 @@ FileNumber held_by_body(Card& card, Body& body, std::string_view what, const Fil
   for (auto* const degrees : {&body.held_turns, &body.held})
     for (std::size_t i = 3; i-- > 0; left /= 10) {
       if (left < 0 || left % 10 > 1)
-        file.refuse({"CON2 ", std::to_string(code), " is none: give six digits 0 or 1, such as 111000."});
+        file.refuse({"CON2 ", std::to_string(code), " is none: give six digits of 0 or 1, such as 111000."});
       (*degrees)[i] = left % 10 == 1;
     }
-  if (left != 0) file.refuse({"CON2 ", std::to_string(code), " is none: give six digits 0 or 1, such as 111000."});
+  if (left != 0) file.refuse({"CON2 ", std::to_string(code), " is none: give six digits of 0 or 1, such as 111000."});
   return system;
 }
 
