@@ -122,6 +122,8 @@ $       ro         g         e        pr
   CHECK(deck.warnings == std::vector<std::string>{
                              "VP 0 (the rate is that of the plastic strain, as of VP 1) of *MAT_PLASTIC_KINEMATIC (1) "
                              "had no effect: line 30.",
+                             "VP 0 (the rate is that of the plastic strain, as of VP 1) of *MAT_JOHNSON_COOK (1) "
+                             "had no effect: line 38.",
                              "SPALL of *MAT_JOHNSON_COOK (1) had no effect: line 38.",
                          });
 

@@ -191,7 +191,7 @@ struct ExplosiveMaterial {
 /// *MAT_COMPOSITE_DAMAGE and *MAT_ENHANCED_COMPOSITE_DAMAGE of plates: `FailingPly{m.ply, m.criterion}`.
 struct PlyMaterial {
   OrthotropicPly ply;
-  ChangChang criterion;                        ///< a strength that is 0 on the card is infinite: 1e50
+  ChangChang criterion;                        ///< a strength that is 0 on the card is 1e18, none
   std::optional<Eigen::Vector3d> fibres = {};  ///< A of AOPT 2
 };
 

@@ -27,7 +27,15 @@ inline void jwl(File& file, Draft& draft) {
 }
 inline void detonations(File& file, Draft& draft) {
   file.title();
+  bool goes_on = false;  // the card before was of PID -1, which has two
   file.for_each_card([&](Card card) {
+    if (std::exchange(goes_on, false)) return;
+    Card first = card;
+    if (const FileNumber kind = first.integer("PID"); kind < 0) {
+      file.ignore(1, "PID below 0");
+      goes_on = kind == -1;
+      return;
+    }
     const FileNumber part = card.tag("PID", Id::part);
     const Eigen::Vector3d place = card.vector("X to Z");
     draft.deck.detonations.push_back({part, {place, card.number("LT")}});

@@ -99,7 +99,12 @@ inline void simplified_johnson_cook(File& file, Draft& draft) {
   const double VP = head.card.number("VP");
   Card law = file.card();
   JohnsonCook s{.shear_modulus = m.shear_modulus(), .A = law.number("A"), .B = law.number("B"), .n = 1};
-  s.n = law.number("N", 1), s.C = law.number("C");
+  const double n = law.number("N");
+  if (n != 0)
+    s.n = n;
+  else
+    s.A += s.B, s.B = 0;
+  s.C = law.number("C");
   const auto failure = failure_at(law.number("PSFAIL"));
   file.ignore(law.number("SIGMAX"), "SIGMAX");
   file.ignore(law.number("SIGSAT"), "SIGSAT");
@@ -174,7 +179,8 @@ inline OrthotropicPly ply_of(File& file, MaterialHead& head, Card& shear) {
   shear.pass(1);  // KFAIL, of solids
   return ply;
 }
-inline double strength_of(Card& card, const char* name) { return std::abs(card.number(name, 1e50)); }
+inline constexpr double unlimited = 1e18;  ///< a strength without limit, of which numbers of float may have the square
+inline double strength_of(Card& card, const char* name) { return std::abs(card.number(name, unlimited)); }
 inline void composite_damage(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
   Card shear = file.card();
@@ -186,7 +192,7 @@ inline void composite_damage(File& file, Draft& draft) {
   vectors.pass(6);
   material.ply.angle = vectors.number("BETA");
   ChangChang& c = material.criterion;
-  c.Xc = 1e50, c.S = strength_of(strengths, "SC"), c.Xt = strength_of(strengths, "XT");
+  c.Xc = unlimited, c.S = strength_of(strengths, "SC"), c.Xt = strength_of(strengths, "XT");
   c.Yt = strength_of(strengths, "YT"), c.Yc = strength_of(strengths, "YC");
   file.ignore(strengths.number("ALPH"), "ALPH");
   strengths.pass(3);  // SN, SYZ, SZX, of solids
@@ -300,12 +306,15 @@ inline void johnson_cook(File& file, Draft& draft) {
   MaterialHead head = material_head(file, draft);
   double G = head.card.number("G");
   const double E = head.card.number("E"), ratio = poissons_ratio(head.card, file);
+  file.ignore(head.card.number("DTF"), "DTF");
+  const double VP = head.card.number("VP");
   if (G == 0) G = E / (2 * (1 + ratio));
   if (!(G > 0)) file.refuse({"G is not positive: give the material its G, or E and PR."});
   Card law = file.card(), heat = file.card(), last = file.card();
   JohnsonCookMaterial material{head.density, {.shear_modulus = G, .A = 0, .B = 0, .n = 0}, {}};
   JohnsonCook& s = material.strength;
   s.A = law.number("A"), s.B = law.number("B"), s.n = law.number("N"), s.C = law.number("C"), s.m = law.number("M");
+  expect_plastic_rate(file, VP, s.C != 0);
   const double melting = law.number("TM");
   s.initial_temperature = law.number("TR");
   s.melting_temperature = melting > s.initial_temperature ? melting : 1e30;
