@@ -11,6 +11,7 @@
 #include <strike/material/strength/power_hardening.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
+#include <strike/material/strength/tabulated_rates.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/strength/zerilli_armstrong.hpp>
 

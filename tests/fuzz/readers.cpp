@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <strike/input.hpp>
@@ -59,6 +60,12 @@ void expect_whole(const strike::DynaDeck& deck) {
   for (const auto& table : deck.tables) expect(table.values.size() == table.curves.size());
   for (const auto& system : deck.coordinate_systems) expect(system.axes.isUnitary(1e-6));
   for (const auto& contact : deck.contacts) expect_nodes(std::array{contact.slave, contact.master});
+  for (const auto& card : deck.materials) {
+    if (const auto* rigid = std::get_if<strike::RigidMaterial>(&card.material)) expect(rigid->system.isUnitary(1e-6));
+    if (const auto* table = std::get_if<strike::TabulatedRatesMaterial>(&card.material))
+      for (const double strain : {0.0, 0.01, 100.0})
+        for (const double rate : {0.0, 10.0, 1e30}) (void)table->strength.flow_stress(strain, rate);
+  }
 }
 void expect_whole(const strike::AbaqusDeck& deck) {
   expect_whole(static_cast<const strike::Deck&>(deck));

@@ -161,5 +161,13 @@ TEST_CASE("dyna materials: a table of curves by the rate") {
   refuses_cube(piecewise("", "0,0,3\n") + "*DEFINE_TABLE_2D\n3\n0,7\n", "the curve 7 of material 1 is not in the file");
   refuses_cube(piecewise("", "0,0,3\n") + "*DEFINE_TABLE\n3\n5\n1\n" + rising + fast,
                "material 1 cannot follow its points: the rate of test 2 of TabulatedRates is 1; it must be above 5");
+  std::string many = "*DEFINE_TABLE\n3\n", curves;
+  for (int i = 0; i < 300; ++i) {
+    many += std::to_string(i) + "\n";
+    curves += "*DEFINE_CURVE\n" + std::to_string(100 + i) + "\n";
+    for (int k = 0; k < 100; ++k) curves += std::to_string(300 * k + i) + "e-5,300\n";
+  }
+  refuses_cube(piecewise("", "0,0,3\n") + many + curves,
+               "material 1 makes a table of 300 rates and 30299 strains of its curves, too large for its file");
   refuses_cube(piecewise("", "0,0,3\n") + "*DEFINE_TABLE\n3\n", "a TabulatedRates has no tests");
 }

@@ -114,6 +114,19 @@ inline bool uncross(std::vector<TabulatedRates::Test>& tests, Allowance& allowan
   return crosses;
 }
 
+/// Error: a table of all strains at all rates that is larger than a file of this size may ask for.
+inline void expect_small_table(const std::vector<TabulatedRates::Test>& tests, FileNumber material, std::uint32_t line,
+                               const File& file, Allowance& allowance) {
+  std::size_t strains = 0;
+  for (const TabulatedRates::Test& test : tests) strains += test.points.size();
+  const std::size_t numbers = 8 * strains * tests.size();
+  if (!allowance.has(numbers))
+    file.source().refuse(
+        line, {"material ", std::to_string(material), " makes a table of ", std::to_string(tests.size()), " rates and ",
+               std::to_string(strains), " strains of its curves, too large for its file: give fewer points."});
+  allowance.take(numbers, line);
+}
+
 /// The materials that follow curves. Errors: a curve that is not there; points that no material can follow.
 inline void complete_materials(Draft& draft, File& file, Allowance& allowance) {
   if (draft.hardenings.empty()) return;
@@ -162,6 +175,7 @@ inline void complete_materials(Draft& draft, File& file, Allowance& allowance) {
       card.material = TabulatedMaterial{pending.eos, hardening_of(G, pending.points, card.number, pending.line, file),
                                         pending.rate, pending.failure};
     } else {
+      expect_small_table(tests, card.number, pending.line, file, allowance);
       const auto between = has_logarithms ? TabulatedRates::Between::logarithms : TabulatedRates::Between::rates;
       card.material = TabulatedRatesMaterial{
           pending.eos,
