@@ -20,7 +20,7 @@ namespace {
 std::string ignored(const DynaDeck& deck) {
   std::string all;
   for (const std::string& warning : deck.warnings) {
-    CHECK_THAT(warning, ContainsSubstring(" had no effect: line "));
+    CHECK_THAT(warning, ContainsSubstring(" had no effect: line"));
     all += warning.substr(0, warning.find(" of *")) + ";";
   }
   return all;
@@ -80,6 +80,23 @@ TEST_CASE("dyna laws: plasticity without a rate by the moduli, and by a power of
   refuses_cube("*MAT_018\n1,1,200,.3,1,2\n", "N is not between 0 and 1");
 }
 
+TEST_CASE("dyna laws: the points of a material with an equation of state") {
+  for (const std::string name : {"*MAT_ELASTIC_PLASTIC_HYDRO", "*MAT_010"}) {
+    const DynaDeck deck = read_cube(name + "\n1,2e-6,10,.1,.2,-.5,1.5\n0,.1,.2,.3,.4,.5,.6,.7\n.9\n" +
+                                    "1,2,3,4,5,6,7,8\n10\n*EOS_LINEAR_POLYNOMIAL\n1,0,2\n");
+    CHECK(ignored(deck) == "");
+    const auto& m = deck.material<TabulatedHydroMaterial>("cube");
+    CHECK(m.strength.shear_modulus == 10);
+    for (const double e : {0., .25, .8, .9, 1.2}) CHECK(m.strength.flow_stress(e) == Approx(1 + 10 * e));
+    CHECK(m.failure->failure_strain == 1.5);
+    const auto eos = deck.eos<PolynomialEos>("cube");
+    CHECK(eos.density == 2e-6);
+    CHECK(eos.pressure_cutoff == -.5);
+    CHECK(Solid{eos, m.strength}.density() == 2e-6);
+  }
+  refuses_cube("*MAT_010\n1,1,1\n0,.1\n\n1,-1\n", "material 1 cannot follow its points: the stress of point 1");
+}
+
 TEST_CASE("dyna laws: Johnson and Cook without heat, Zerilli and Armstrong") {
   for (const std::string name : {"*MAT_SIMPLIFIED_JOHNSON_COOK_TITLE\nsteel", "*MAT_098_TITLE\nsteel"}) {
     const auto m =
@@ -125,8 +142,13 @@ TEST_CASE("dyna laws: rubber and viscoelastic materials") {
     CHECK(m.eos.bulk_modulus == Approx(2 * 1.2 * 1.49 / (3 * .02)));
     CHECK(Solid{m.eos, m.strength}.density() == 1e-9);
   }
-  refuses_cube("*MAT_027\n1,1,.49\n1,1,1,7\n",
-               "A and B are 0, and no curve is fitted here: give the material its A and B.");
+  refuses_cube("*MAT_027\n1,1,.49\n", "A and B are 0: give the material its A and B.");
+  const DynaDeck fitted = read_cube("*MAT_027\n1,1,.49\n1,1,1,7\n");
+  CHECK(fitted.warnings == std::vector<std::string>{"The material (no curve is fitted here) of *MAT_027 (1) had no "
+                                                    "effect: line 17."});
+  CHECK_THROWS_WITH(fitted.material<RubberMaterial>("cube"),
+                    ContainsSubstring("which is not in the deck or was skipped"));
+  CHECK(ignored(read_cube("*MAT_027\n1,1,.49,1,-.2\n")) == "The material (A or B is negative);");
 
   for (const std::string name : {"*MAT_VISCOELASTIC", "*MAT_006"}) {
     const auto m = material<ViscoelasticMaterial>(name + "\n1,1e-9,2000,10,4,.5\n");
@@ -137,7 +159,7 @@ TEST_CASE("dyna laws: rubber and viscoelastic materials") {
   }
   CHECK(material<ViscoelasticMaterial>("*MAT_006\n1,1,20,10,4\n").strength.relaxation(9) == 10);  // no decay
   refuses_cube("*MAT_006\n1,1,20,10,14,1\n", "GI is not between 0 and G0");
-  refuses_cube("*MAT_006\n1,1,20,10,4,-7\n", "BETA is negative");
+  CHECK(ignored(read_cube("*MAT_006\n1,1,20,10,4,-7\n")) == "The material (BETA is a curve);");
 
   for (const std::string name : {"*MAT_GENERAL_VISCOELASTIC", "*MAT_076"}) {
     const auto m = material<PronyMaterial>(name + "\n1,1e-9,2000\n\n10,.5\n20,5\n3,0\n");
@@ -153,7 +175,8 @@ TEST_CASE("dyna laws: rubber and viscoelastic materials") {
   const DynaDeck bulk = read_cube("*MAT_076\n1,1,0,1\n\n10,.5,100,0\n20,5,50,2\n");
   CHECK(ignored(bulk) == "PCF;BETAKI;");
   CHECK(bulk.material<PronyMaterial>(1).eos.bulk_modulus == 150);
-  refuses_cube("*MAT_076\n1,1,9\n7\n", "GI are all 0, and no curve is fitted here");
+  CHECK(ignored(read_cube("*MAT_076\n1,1,9\n7\n")) == "The material (no curve is fitted here);");
+  refuses_cube("*MAT_076\n1,1,9\n", "GI are all 0: give the material its terms.");
   refuses_cube("*MAT_076\n1,1,9\n\n-1,1\n", "a term of relaxation is negative");
 }
 

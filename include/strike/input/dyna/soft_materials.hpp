@@ -15,10 +15,9 @@ inline void mooney_rivlin(File& file, Draft& draft) {
   Card fit = file.card();
   fit.pass(3);
   const FileNumber curve = fit.tag("LCID", Id::curve);
-  if (A == 0 && B == 0)
-    file.refuse(
-        {"A and B are 0", curve != 0 ? ", and no curve is fitted here" : "", ": give the material its A and B."});
-  if (!(A >= 0) || !(B >= 0)) file.refuse({"A or B is negative, which no rubber here can be: correct it."});
+  if (A == 0 && B == 0 && curve == 0) file.refuse({"A and B are 0: give the material its A and B."});
+  if (A == 0 && B == 0) return file.ignore(1, "The material (no curve is fitted here)");
+  if (!(A >= 0) || !(B >= 0) || !(A + B > 0)) return file.ignore(1, "The material (A or B is negative)");
   const double G = 2 * (A + B);
   add(file, draft, head,
       RubberMaterial{{head.density, 2 * G * (1 + ratio) / (3 * (1 - 2 * ratio))}, {.C10 = A, .C01 = B}});
@@ -28,7 +27,7 @@ inline void viscoelastic(File& file, Draft& draft) {
   const double K = head.card.positive("BULK"), G0 = head.card.positive("G0"), GI = head.card.number("GI");
   const double decay = head.card.number("BETA");
   if (!(GI >= 0 && GI <= G0)) file.refuse({"GI is not between 0 and G0: correct it."});
-  if (!(decay >= 0)) file.refuse({"BETA is negative, and no curve by the temperature is read: give its value."});
+  if (!(decay >= 0)) return file.ignore(1, "The material (BETA is a curve)");
   const double share = decay > 0 ? (G0 - GI) / G0 : 0;
   add(file, draft, head,
       ViscoelasticMaterial{{head.density, K}, {.shear_modulus = G0, .terms = {{share, decay > 0 ? 1 / decay : 1}}}});
@@ -53,8 +52,8 @@ inline void general_viscoelastic(File& file, Draft& draft) {
     if (GI > 0 && decay > 0) terms.push_back({GI, 1 / decay});
     if (KI > 0 && bulk_decay != 0) file.ignore(bulk_decay, "BETAKI");
   });
-  if (!(G > 0))
-    file.refuse({"GI are all 0", curve != 0 ? ", and no curve is fitted here" : "", ": give the material its terms."});
+  if (!(G > 0) && curve == 0) file.refuse({"GI are all 0: give the material its terms."});
+  if (!(G > 0)) return file.ignore(1, "The material (no curve is fitted here)");
   if (curve != 0) file.ignore(1, "LCID");
   if (bulk_curve != 0) file.ignore(1, "LCIDK");
   if (sum_of_K > 0) K = sum_of_K;
