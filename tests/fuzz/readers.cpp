@@ -43,9 +43,12 @@ void expect_whole(const strike::DynaDeck& deck) {
   expect_nodes(deck.supports), expect_nodes(deck.velocities), expect_nodes(deck.walls);
   expect_nodes(deck.nodal_loads), expect_nodes(deck.motions);
   expect_nodes(deck.rigid_bodies), expect_nodes(deck.extra_nodes), expect_nodes(deck.obstacles);
-  for (const auto& pressure : deck.pressures)
-    for (const auto& segment : pressure.segments)
-      for (const strike::Index node : segment) expect(node < deck.mesh.nodes.size());
+  const auto expect_segments = [&](const auto& cards) {
+    for (const auto& card : cards)
+      for (const auto& segment : card.segments)
+        for (const strike::Index node : segment) expect(node < deck.mesh.nodes.size());
+  };
+  expect_segments(deck.pressures), expect_segments(deck.blasts);
   for (const auto& motion : deck.motions) expect(std::abs(motion.direction.norm() - 1) < 1e-6);
   for (const auto& load : deck.body_loads)
     expect(!std::isnan(load.history(1)) && !std::isnan(load.history.integral(1)));

@@ -3,14 +3,13 @@
 
 #include <strike/input/dyna.hpp>
 
+#include "input/dyna_text.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
-using Catch::Matchers::ContainsSubstring;
+using decks::read;
 
 namespace {
-
-DynaDeck read(const std::string& text) { return read_dyna(text, "a.k"); }
 
 /// Two shells of parts 1 and 2, a third part without cells, and sets.
 const std::string mesh = R"(*NODE
@@ -199,8 +198,7 @@ TEST_CASE("dyna contacts: parameters, and what is wrong") {
   CHECK(deck.contacts[0].slave.parts == std::vector<FileNumber>{1});  // no second card of MPP, but a parameter
 
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(mesh + text),
-                      ContainsSubstring("strike: the file 'a.k', line ") && ContainsSubstring(sentence));
+    decks::expect_refused(mesh + text, sentence);
   };
   refused("*CONTACT_TIED_NODES_TO_SURFACE\n4,0,4\n", "a tied contact names too little: give it SSID and MSID.");
   refused("*CONTACT_SURFACE_TO_SURFACE\n7,0,1\n", "line 30: the set of shells 7 is not in the file");

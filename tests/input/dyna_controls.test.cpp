@@ -2,14 +2,13 @@
 
 #include <strike/input/dyna.hpp>
 
+#include "input/dyna_text.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
-using Catch::Matchers::ContainsSubstring;
+using decks::read;
 
 namespace {
-
-DynaDeck read(const std::string& text) { return read_dyna(text, "a.k"); }
 
 /// A brick and a shell that have the same number, and another shell.
 const std::string mesh = R"(*NODE
@@ -178,8 +177,7 @@ TEST_CASE("dyna controls: histories count solids and shells apart, and name a no
 
 TEST_CASE("dyna controls: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(mesh + text),
-                      ContainsSubstring("strike: the file 'a.k', line ") && ContainsSubstring(sentence));
+    decks::expect_refused(mesh + text, sentence);
   };
   refused("*CONTROL_IMPLICIT_GENERAL\n1\n",
           "*CONTROL_IMPLICIT_GENERAL makes the run implicit, and this one is explicit: take it out.");

@@ -2,14 +2,13 @@
 
 #include <strike/input/dyna.hpp>
 
+#include "input/dyna_text.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
-using Catch::Matchers::ContainsSubstring;
+using decks::read;
 
 namespace {
-
-DynaDeck read(const std::string& text) { return read_dyna(text, "a.k"); }
 
 /// Two shells of parts 1 and 2, a node off them, and two sets of nodes.
 const std::string mesh = R"(*NODE
@@ -130,8 +129,7 @@ TEST_CASE("dyna rigid bodies: bodies that move with others, and extra nodes") {
 
 TEST_CASE("dyna rigid bodies: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(mesh + text),
-                      ContainsSubstring("strike: the file 'a.k', line ") && ContainsSubstring(sentence));
+    decks::expect_refused(mesh + text, sentence);
   };
   refused("*CONSTRAINED_NODAL_RIGID_BODY\n5\n", "line 19: the set of nodes 5 is not in the file");
   refused("*CONSTRAINED_NODAL_RIGID_BODY\n,0,1\n", "line 19: a rigid body has no number: number from 1.");

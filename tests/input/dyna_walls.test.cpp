@@ -4,14 +4,13 @@
 #include <strike/contact/rigid_wall.hpp>
 #include <strike/input/dyna.hpp>
 
+#include "input/dyna_text.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
-using Catch::Matchers::ContainsSubstring;
+using decks::read;
 
 namespace {
-
-DynaDeck read(const std::string& text) { return read_dyna(text, "a.k"); }
 
 /// A shell, two sets of nodes and a curve.
 const std::string mesh = R"(*NODE
@@ -149,8 +148,7 @@ TEST_CASE("dyna walls: flats, cylinders and spheres") {
 
 TEST_CASE("dyna walls: what is wrong is told with its line") {
   const auto refused = [](const std::string& text, const std::string& sentence) {
-    CHECK_THROWS_WITH(read(mesh + text),
-                      ContainsSubstring("strike: the file 'a.k', line ") && ContainsSubstring(sentence));
+    decks::expect_refused(mesh + text, sentence);
   };
   refused("*RIGIDWALL_PLANAR_ORTHO_FINITE\n",
           "line 18: *RIGIDWALL_PLANAR_ORTHO_FINITE has a friction of its own along");

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include <strike/input/dyna/blasts.hpp>
 #include <strike/input/dyna/contacts.hpp>
 #include <strike/input/dyna/controls.hpp>
 #include <strike/input/dyna/definitions.hpp>
@@ -41,7 +42,7 @@ inline const Keyword* find_keyword(std::string_view name) {
   };
   search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
   search(section_keywords), search(load_keywords), search(definition_keywords), search(force_keywords);
-  search(rigid_keywords), search(control_keywords);
+  search(rigid_keywords), search(control_keywords), search(blast_keywords);
   return found;
 }
 /// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.

@@ -383,6 +383,7 @@ struct DynaDeck : Deck {
   std::vector<BodyLoadCard> body_loads = {};
   std::vector<NodalLoadCard> nodal_loads = {};
   std::vector<PressureLoadCard> pressures = {};
+  std::vector<BlastCard> blasts = {};
   std::vector<PrescribedMotionCard> motions = {};
   std::vector<WallCard> walls = {};
   std::vector<ObstacleCard> obstacles = {};

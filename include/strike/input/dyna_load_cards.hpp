@@ -98,4 +98,27 @@ struct PrescribedMotionCard {
   CardHistory history;
 };
 
+/// *LOAD_BLAST_ENHANCED with its *LOAD_BLAST_SEGMENT and _SET, and *LOAD_BLAST with the pressures whose LCID is -2: a
+/// charge of TNT in air, and the faces that it loads.
+struct BlastCard {
+  /// BLAST or ISURF: half a charge on the ground, a free one, a moving one, a charge above the ground.
+  enum class Kind { on_ground = 1, in_air = 2, moving = 3, above_ground = 4 };
+  FileNumber number = 0;  ///< BID, 0 of *LOAD_BLAST
+  double mass;            ///< M or WGT, of TNT
+  Eigen::Vector3d centre;
+  double start = 0;  ///< TBO, when it detonates [time]
+  Kind kind = Kind::in_air;
+  FileNumber unit = 2;                   ///< UNIT
+  std::array<double, 4> si{1, 1, 1, 1};  ///< kilograms, metres, seconds and pascals in a unit of the deck
+  double death = std::numeric_limits<double>::infinity();
+  bool without_suction = false;                     ///< NEGPHS 1: no pressure below that of the air
+  std::vector<std::array<Index, 4>> segments = {};  ///< a triangle repeats its last corner
+
+  std::vector<Face> faces() const {
+    std::vector<Face> all;
+    for (const auto& corners : segments) all.push_back({corners, 0});
+    return all;
+  }
+};
+
 }  // namespace strike

@@ -29,7 +29,7 @@ inline void optional_cards(ContactCard& contact, File& file) {
   const double gap = c.number("IGAP");
   file.ignore(gap == 1 ? 0 : gap, "IGAP");
   c.pass(1);  // IGNORE: nodes that begin inside are no fault here
-  tell_fields(c, std::array<UnusedField, 6>{{{"DPRFAC"}, {"DTSTIF"}, {}, {}, {"FLANGL"}, {"CID_RCF"}}}, file);
+  tell_fields(c, std::array<UnusedField, 6>{{{"DPRFAC"}, {"DTSTIF"}, {"EDGEK"}, {}, {"FLANGL"}, {"CID_RCF"}}}, file);
   tell_card(
       std::array<UnusedField, 8>{
           {{"Q2TRI"}, {"DTPCHK"}, {"SFNBR"}, {"FNLSCL"}, {"DNLSCL"}, {"TCSO"}, {"TIEDID"}, {"SHLEDG"}}},

@@ -136,7 +136,7 @@ inline void vectors(File& file, Draft& draft) {
 
 /// Points that are given by nodes, once all nodes are where they belong.
 inline void place_by_nodes(Draft& draft, const File& file) {
-  if (draft.systems.empty() && draft.centres.empty() && draft.vectors.empty()) return;
+  if (draft.systems.empty() && draft.centres.empty() && draft.vectors.empty() && draft.blasts.empty()) return;
   std::vector<FileNumber> numbers;
   for (const RawMesh::Node& node : draft.raw.nodes) numbers.push_back(node.number);
   const Numbering all(std::move(numbers));
@@ -156,6 +156,8 @@ inline void place_by_nodes(Draft& draft, const File& file) {
   }
   for (auto& [number, vector] : draft.vectors)
     if (vector.tail != 0) vector.vector = position(vector.head, vector.line) - position(vector.tail, vector.line);
+  for (PendingBlast& blast : draft.blasts)
+    if (blast.node != 0) blast.card.centre = position(blast.node, blast.line);
   for (const PendingCentre& pending : draft.centres)
     (pending.of_body ? draft.rigid_bodies[pending.inertia].card.inertia.value() : draft.deck.inertias[pending.inertia])
         .centre = position(pending.node, pending.line);

@@ -92,6 +92,19 @@ struct PendingPressure {
   std::vector<Choice> choices;
   std::uint32_t line;
 };
+/// A charge, at a node if it has one.
+struct PendingBlast {
+  BlastCard card;
+  FileNumber node;
+  std::uint32_t line;
+};
+/// Faces that a charge loads: those of *LOAD_BLAST if its number is 0.
+struct PendingBlastFaces {
+  FileNumber blast;
+  std::vector<PendingSegments::Segment> segments;
+  std::vector<Choice> choices;
+  std::uint32_t line;
+};
 /// A motion along a vector (VID).
 struct PendingMotion {
   PrescribedMotionCard card;
@@ -219,6 +232,8 @@ struct Draft {
   std::vector<Pending<RigidMergeCard>> rigid_merges = {};
   std::vector<Pending<ExtraNodesCard>> extra_nodes = {};
   std::vector<PendingMotion> motions = {};
+  std::vector<PendingBlast> blasts = {};
+  std::vector<PendingBlastFaces> blast_faces = {};
   std::map<FileNumber, PendingVector> vectors = {};
   std::vector<PendingContact> contacts = {};
   std::vector<Choice> history_nodes = {}, history_cells = {};

@@ -1,8 +1,11 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,15 +28,16 @@ inline CardHistory history_of(Card& card, const File& file) {
   if (history.curve == 0) file.refuse({file.name(), " has no LCID: give it a curve."});
   return history;
 }
-inline bool follow_alike(const CardHistory& a, const CardHistory& b) {
-  return a.curve == b.curve && a.scale == b.scale && a.birth == b.birth && a.death == b.death;
-}
 
 template <int axis>
 void body_load(File& file, Draft& draft) {
-  Card card = file.card();
+  Card card = file.card(), later = card;
+  later.pass(2);
+  const double relaxing = later.number("LCIDDR");
+  file.ignore(relaxing, "LCIDDR");
+  if (relaxing != 0 && Card(card).tag("LCID", Id::curve) == 0) return;  // a load before the run alone
   BodyLoadCard load{-unit_of(axis), history_of(card, file)};
-  file.ignore(card.number("LCIDDR"), "LCIDDR");
+  card.pass(1);
   card.pass(3);  // the centre of a rotation
   const FileNumber system = card.tag("CID", Id::define);
   draft.body_loads.push_back({std::move(load), {}, system, file.line()});
@@ -46,7 +50,11 @@ inline void body_load_parts(File& file, Draft& draft) {
 /// Lines that load other nodes alike are one load; a node that is loaded twice begins another.
 template <Named named>
 void nodal_loads(File& file, Draft& draft) {
-  std::set<FileNumber> in_last;
+  struct Group {
+    std::size_t load;
+    std::set<FileNumber> nodes = {};
+  };
+  std::map<std::tuple<FileNumber, FileNumber, double, FileNumber>, Group> groups;  // by DOF, curve, scale and system
   file.for_each_titled_card([&](Card card) {
     const char* const field = named == Named::node ? "NID" : "NSID";
     const FileNumber number = card.tag(field, named == Named::node ? Id::node : Id::set);
@@ -59,44 +67,52 @@ void nodal_loads(File& file, Draft& draft) {
     const FileNumber system = card.tag("CID", Id::define);
     if (freedom == 4 || freedom == 8) return file.ignore(1, "A force that follows its nodes (DOF 4 or 8)");
     load.direction = unit_of(load.turns ? freedom - 4 : freedom);
-    const Choice choice{named, number, file.line()};
     auto& all = draft.nodal_loads;
-    const bool joins = !in_last.empty() && all.back().system == system && all.back().card.turns == load.turns &&
-                       all.back().card.direction == load.direction &&
-                       follow_alike(all.back().card.history, load.history) && !in_last.contains(number);
-    if (!joins) {
-      all.push_back({std::move(load), {}, system, file.line()});
-      in_last.clear();
-    }
-    all.back().choices.push_back(choice);
-    if (named == Named::node) in_last.insert(number);
+    const std::tuple key(freedom, load.history.curve, load.history.scale, system);
+    const auto [group, is_new] = groups.try_emplace(key, Group{all.size()});
+    if (!is_new && (named != Named::node || group->second.nodes.contains(number))) group->second = {all.size()};
+    if (group->second.load == all.size()) all.push_back({std::move(load), {}, system, file.line()});
+    all[group->second.load].choices.push_back({named, number, file.line()});
+    if (named == Named::node) group->second.nodes.insert(number);
   });
 }
 
-/// The pressure that a line joins: the last of its keyword, if both follow one history.
-inline PendingPressure& pressure_of(CardHistory history, std::size_t first, File& file, Draft& draft) {
+/// Places in the draft by curve, scale and birth.
+using PressurePlaces = std::map<std::tuple<FileNumber, double, double>, std::size_t>;
+/// The pressure that a line joins: that of its keyword with the same history.
+inline PendingPressure& pressure_of(CardHistory history, PressurePlaces& places, File& file, Draft& draft) {
   auto& all = draft.pressures;
-  if (all.size() == first || !follow_alike(all.back().card.history, history))
-    all.push_back({{{}, std::move(history)}, {}, {}, file.line()});
-  return all.back();
+  const auto [place, is_new] = places.try_emplace({history.curve, history.scale, history.birth}, all.size());
+  if (is_new) all.push_back({{{}, std::move(history)}, {}, {}, file.line()});
+  return all[place->second];
 }
+/// LCID, SF and AT. LCID -2 stands for the pressure of *LOAD_BLAST.
+inline constexpr FileNumber of_blast = -2;
 inline CardHistory pressure_history(Card& card, File& file) {
+  Card first = card;
+  if (first.integer("LCID") == of_blast) {
+    const double scale = first.number("SF", 1);
+    file.ignore(scale == 1 ? 0 : scale, "SF of a blast");
+    file.ignore(first.number("AT"), "AT of a blast");
+    card = first;
+    return {.curve = of_blast};
+  }
   CardHistory history = history_of(card, file);
   history.birth = card.number("AT");
   return history;
 }
 inline void segment_pressures(File& file, Draft& draft) {
-  const std::size_t first = draft.pressures.size();
+  PressurePlaces places;
   file.for_each_titled_card([&](Card card) {
     CardHistory history = pressure_history(card, file);
-    PendingPressure& pressure = pressure_of(std::move(history), first, file, draft);
+    PendingPressure& pressure = pressure_of(std::move(history), places, file, draft);
     pressure.segments.push_back(segment_of(card, file));
     if (card.tag("N5", Id::node) != 0) file.refuse({"a segment has more than four corners: mesh in first order."});
   });
 }
 template <Named named>
 void pressures(File& file, Draft& draft) {
-  const std::size_t first = draft.pressures.size();
+  PressurePlaces places;
   file.for_each_titled_card([&](Card card) {
     const char* const field = named == Named::segment_set ? "SSID" : named == Named::shell ? "EID" : "ESID";
     const FileNumber number = card.tag(field, named == Named::shell ? Id::element : Id::set);
@@ -104,15 +120,15 @@ void pressures(File& file, Draft& draft) {
     if (number == 0) file.refuse({"a pressure has no ", field, ": give it one."});
     CardHistory history = pressure_history(card, file);
     file.ignore_rest(card);
-    pressure_of(std::move(history), first, file, draft).choices.push_back({named, number, file.line()});
+    pressure_of(std::move(history), places, file, draft).choices.push_back({named, number, file.line()});
   });
 }
 
-/// Motions of successive nodes that are alike are one.
+/// Motions of nodes that are alike are one.
 template <Named named>
 void prescribed_motions(File& file, Draft& draft) {
   using Kind = PrescribedMotionCard::Kind;
-  const std::size_t first = draft.motions.size();
+  std::map<std::tuple<FileNumber, FileNumber, FileNumber, FileNumber, double, double, double>, std::size_t> places;
   file.for_each_titled_card([&](Card card) {
     constexpr bool of_part = named == Named::part;
     const char* const field = of_part ? "PID" : named == Named::node ? "NID" : "NSID";
@@ -126,7 +142,7 @@ void prescribed_motions(File& file, Draft& draft) {
     const FileNumber vector = card.tag("VID", Id::define);
     if (const double death = card.number("DEATH"); death > 0 && early(death) != 0) motion.history.death = death;
     motion.history.birth = card.number("BIRTH");
-    const FileNumber size = std::abs(freedom);
+    const FileNumber size = freedom < -12 ? 13 : std::abs(freedom);
     if (size < 1 || size > 12 || (freedom < 0 && (size < 8 || size == 12) && size != 4))
       file.refuse({"DOF ", std::to_string(freedom),
                    " of a prescribed motion is none: give 1 to 3, 5 to 7, or 4 and 8 with a VID."});
@@ -144,16 +160,14 @@ void prescribed_motions(File& file, Draft& draft) {
     motion.kind = kind == 0 ? Kind::velocity : kind == 1 ? Kind::acceleration : Kind::displacement;
     motion.direction = by_vector ? Eigen::Vector3d::Zero().eval() : unit_of(motion.turns ? size - 4 : size);
     if (of_part) motion.body = number;
-    const Choice choice{named, number, line};
     auto& all = draft.motions;
-    if (named == Named::node && all.size() > first) {
-      const PrescribedMotionCard& last = all.back().card;
-      if (last.turns == motion.turns && last.holds_others == motion.holds_others && last.kind == motion.kind &&
-          last.direction == motion.direction && follow_alike(last.history, motion.history) &&
-          all.back().vector == (by_vector ? vector : 0))
-        return all.back().choices.push_back(choice);
-    }
-    all.push_back({std::move(motion), {choice}, by_vector ? vector : 0, line});
+    const FileNumber along = by_vector ? vector : 0;
+    const CardHistory& history = motion.history;
+    const std::tuple key(freedom, kind, along, history.curve, history.scale, history.birth, history.death);
+    const auto [place, is_new] = places.try_emplace(key, all.size());
+    if (!is_new && of_part) place->second = all.size();
+    if (place->second == all.size()) all.push_back({std::move(motion), {}, along, line});
+    all[place->second].choices.push_back({named, number, line});
   });
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <strike/ascending.hpp>
+#include <strike/input/dyna/blasts.hpp>
 #include <strike/input/dyna/definitions.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/dyna/hardening.hpp>
@@ -212,6 +213,7 @@ inline DynaDeck resolved(Draft draft, File& file) {
   resolve_controls(draft, lookup, deck);
   resolve_walls(draft, lookup, deck, file);
   resolve_bodies(draft, lookup, deck);
+  resolve_blasts(draft, lookup, deck, file);
   resolve_loads(draft, lookup, deck, file);
   for (auto& [contact, slave, master, line] : draft.contacts) {
     resolve_side(contact.slave, slave, "SSTYP", line, lookup, deck, file);
