@@ -46,14 +46,22 @@ void draw(const Run& run, const std::string& title, const std::string& path) {
 
 void run_deck(const DeckScene& scene, const std::string& name) {
   Explicit run{scene.scene(), scene.options};
-  History history{name + ".csv",
-                  {{"time"}, {"kinetic energy"}, {"internal energy"}, {"hourglass energy"}, {"balance"}}};
+  std::vector<Column> columns{{"time"}, {"kinetic energy"}, {"internal energy"}, {"hourglass energy"}, {"balance"}};
+  for (const Index node : scene.watched)
+    for (const char* axis : {"x", "y", "z"})
+      columns.push_back({"displacement " + std::string(axis) + " of node " + std::to_string(scene.node_numbers[node])});
+  History history{name + ".csv", columns};
   VtuSeries film{name};
   run.until(scene.end, Every{scene.interval, [&] { film.write(run); }},
             Every{scene.end / 500,
                   [&] {
                     const Energy& e = run.energy();
-                    history.row(run.time(), e.kinetic, e.internal, e.hourglass, e.error());
+                    std::vector<double> row{run.time(), e.kinetic, e.internal, e.hourglass, e.error()};
+                    for (const Index node : scene.watched) {
+                      const Eigen::Vector3d moved = run.nodes().x(node) - scene.nodes[node];
+                      row.insert(row.end(), moved.begin(), moved.end());
+                    }
+                    history.row(row);
                   }},
             Progress{});
   draw(run, scene.title.empty() ? name : scene.title, name + ".svg");

@@ -68,12 +68,11 @@ std::string code_of(const Model& model) {
   return joined({class_name<Model>(), "{", numbers, "}"});
 }
 inline std::string code_of(const TabulatedHardening& law) {
-  const std::vector<double> numbers = constants_of(law);  // G, then the strain and the stress of each point
+  const std::vector<double> numbers =
+      constants_of(law);  // G, strain and stress of the first point; then the stress twice
   std::string points;
-  for (std::size_t i = 1; i + 1 < numbers.size(); i += 2) {
-    const std::string_view comma = i > 1 ? ", " : "";
-    points += joined({comma, "{", shortest(numbers[i]), ", ", shortest(numbers[i + 1]), "}"});
-  }
+  for (std::size_t i = 1; i + 1 < numbers.size(); i += i > 1 ? 3 : 2)
+    points += joined({i > 1 ? ", {" : "{", shortest(numbers[i]), ", ", shortest(numbers[i + 1]), "}"});
   return joined({"TabulatedHardening{", shortest(law.shear_modulus), ", {", points, "}}"});
 }
 /// An element by its first policy, where that is not the usual one, and its bulk viscosity, where its numbers are not.

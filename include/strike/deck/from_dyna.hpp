@@ -29,6 +29,7 @@ class FromDyna {
  public:
   explicit FromDyna(const DynaDeck& deck) : deck_(deck) {
     made_.title = deck.title, made_.nodes = deck.mesh.nodes;
+    made_.watched = deck.history_nodes, made_.node_numbers = deck.node_numbers;
     if (deck.step_factor > 0) made_.options.step_factor = deck.step_factor;
     made_.end = deck.end_time, made_.interval = deck.end_time / 40;
     if (const double dt = deck.interval("D3PLOT"); dt > 0) made_.interval = dt;

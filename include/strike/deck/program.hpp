@@ -44,13 +44,30 @@ class DeckProgram {
     for (std::size_t i = 0; i < items.size(); ++i)
       add_wrapped({"                     ", items[i], i + 1 < items.size() ? "," : "},"}, 25);
     add({"               {.step_factor = ", code_of(scene.options.step_factor), "}};"});
-    add({"  History history{\"", name, ".csv\", {{\"time\"}, {\"kinetic energy\"}, {\"internal energy\"}, ",
-         "{\"hourglass energy\"}, {\"balance\"}}};"});
+    const bool watches = !scene.watched.empty();
+    add(
+        {"  std::vector<Column> columns{{\"time\"}, {\"kinetic energy\"}, {\"internal energy\"}, {\"hourglass "
+         "energy\"}, ",
+         "{\"balance\"}};"});
+    if (watches) {
+      add({"  for (const Index node : deck.history_nodes)"});
+      add({"    for (const char* axis : {\"x\", \"y\", \"z\"})"});
+      add({"      columns.push_back({\"displacement \" + std::string(axis) + \" of node \" +"});
+      add({"                         std::to_string(deck.node_numbers[node])});"});
+    }
+    add({"  History history{\"", name, ".csv\", columns};"});
     add({"  VtuSeries film{\"", name, "\"};"});
     add({"  run.until(", code_of(scene.end), ", Every{", code_of(scene.interval), ", [&] { film.write(run); }},"});
     add({"            Every{", code_of(scene.end / 500), ", [&] {"});
     add({"                    const Energy& e = run.energy();"});
-    add({"                    history.row(run.time(), e.kinetic, e.internal, e.hourglass, e.error());"});
+    add({"                    std::vector<double> row{run.time(), e.kinetic, e.internal, e.hourglass, e.error()};"});
+    if (watches) {
+      add({"                    for (const Index node : deck.history_nodes) {"});
+      add({"                      const Eigen::Vector3d moved = run.nodes().x(node) - deck.mesh.nodes[node];"});
+      add({"                      row.insert(row.end(), moved.begin(), moved.end());"});
+      add({"                    }"});
+    }
+    add({"                    history.row(row);"});
     add({"                  }},"});
     add({"            Progress{});"});
     add({"  std::printf(\"%zu steps, energy error %.2g\\n\", run.steps(), run.energy().error());"});

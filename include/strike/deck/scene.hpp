@@ -101,8 +101,10 @@ struct DeckScene {
   std::vector<Stated<RigidWall>> walls = {};
   std::vector<Stated<DeckContact>> contacts = {};
   ExplicitOptions options = {};
-  double end = 0;       ///< [time]
-  double interval = 0;  ///< between two states of the film [time]
+  double end = 0;                             ///< [time]
+  double interval = 0;                        ///< between two states of the film [time]
+  std::vector<Index> watched = {};            ///< nodes whose displacements are recorded
+  std::vector<FileNumber> node_numbers = {};  ///< of each node, that in the deck
 
   std::vector<std::string> becomes = {};   ///< a line for each item: what of the deck, and what it is here
   std::vector<std::string> replaced = {};  ///< another law or element stands for what the deck asks for
