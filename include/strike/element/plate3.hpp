@@ -183,16 +183,17 @@ struct Plate3 {
     return work;
   }
 
-  /// One over the largest stable step. For nodal masses m = mu A0/3 and moments of inertia I the frequencies of the
-  /// membrane and of bending are bounded as those of Plate4,
+  /// One over the largest stable step. Membrane, bending and transverse shear are groups of motions, each with the
+  /// bound of its own stiffness, and each two with one of their coupling; the matrix of the bounds has the larger
+  /// eigenvalue. For nodal masses m = mu A0/3 and moments of inertia I those of the membrane and of bending are, as of
+  /// a solid,
   ///   w^2 <= (A/m) (lambda tr S + 2 G L1(S)),   S_ij = b_iI b_jI = squares U^-2,
-  /// both together by the larger eigenvalue of [extension/m, coupling/sqrt(m I); ., bending/I]; those of the transverse
-  /// shear, which moves other modes, by
-  ///   w^2 <= A K (L1(S)/m + 1/(3 I)),
-  /// but for what the shear along the edges shares with bending. That row B of the gamma along the tangents has B B^T =
-  /// kappa^2 squares tr(C) 1, so that it adds A K L1(S) kappa^2 tr C/I with tr C = 16 A^2 tr(S)/squares to bending and
-  /// couples the two. The drilling of the nodes, of which the spin of the plane is half a curl, adds k (1/I + 3/4 tr
-  /// S/m).
+  /// with 1/sqrt(m I) for their coupling and 1/I for bending; that of the transverse shear, which moves nodes across
+  /// and turns them alike, is
+  ///   w^2 <= A K (L1(S)/m + 1/(3 I)).
+  /// What the shear along the edges has beyond it turns nodes as bending does: by a row B of gamma along the tangents
+  /// with B B^T = kappa^2 squares tr C 1, tr C = 16 A^2 tr S/squares, which adds A K L1(S) kappa^2 tr C/I to bending.
+  /// The drilling of the nodes, of which the spin of the plane is half a curl, adds k (1/I + 3/4 tr S/m).
   template <class Section, class T>
   T critical_rate(const Section& material, const State<Section, T>& state, const PlateKinematics::Moduli<T>& moduli,
                   const T& drilling_stiffness, const Plate4Frame<T>& frame) const {
@@ -202,15 +203,14 @@ struct Plate3 {
     const T per_mass = (3.0 / density_of(material)) * state.inverse_area;
     const T per_gyration = Plate3::per_gyration(material, state.inverse_area);  // m/I
     const T L1 = largest_eigenvalue(S), trace_S = trace(S), &K = moduli.transverse_shear;
-    const auto both = [&](const T& a, const T& b, const T& c) -> T {
-      return largest_eigenvalue<T>(a, per_gyration * c, per_gyration * b * b);
+    const auto bound = [&](const PlaneModuli<T>& k) -> T {
+      return abs(k.normal - 2.0 * k.shear) * trace_S + 2.0 * abs(k.shear) * L1;
     };
-    const auto lambda = [](const PlaneModuli<T>& k) -> T { return k.normal - 2.0 * k.shear; };
-    const T normal = both(lambda(moduli.extension), lambda(moduli.coupling), lambda(moduli.bending)),
-            shear = both(moduli.extension.shear, moduli.coupling.shear, moduli.bending.shear);
-    const T strain = max(T(0.0), normal) * trace_S + 2.0 * shear * L1, across = K * (L1 + (1.0 / 3.0) * per_gyration),
-            both_move = (16 * kappa * kappa / squares) * K * L1 * (A * A * trace_S) * per_gyration;
-    const T w2 = (A * per_mass) * largest_eigenvalue<T>(across, strain + both_move, across * both_move);
+    const T membrane = bound(moduli.extension), mixed = bound(moduli.coupling), bending = bound(moduli.bending);
+    const T across = K * (L1 + (1.0 / 3.0) * per_gyration),
+            edges = (16 * kappa * kappa / squares) * K * L1 * (A * A * trace_S) * per_gyration;
+    const T turning = largest_eigenvalue<T>(across, per_gyration * bending + edges, across * edges);
+    const T w2 = (A * per_mass) * largest_eigenvalue<T>(membrane, turning, per_gyration * mixed * mixed);
     return 0.5 * sqrt(w2 + drilling_stiffness * per_mass * (per_gyration + 0.75 * trace_S));
   }
 };
