@@ -62,18 +62,17 @@ TEST_CASE("triangular plates: a cantilever strip bends as a beam") {
   CHECK(strip(2) == Approx(1).margin(0.01));
 }
 
-TEST_CASE("triangular plates: a clamped square sinks as Kirchhoff's, from the stiff side, as the square of the mesh") {
+TEST_CASE("triangular plates: a clamped square sinks as Kirchhoff's, from the stiff side") {
   const double coarse = clamped_square(8, 0.01), fine = clamped_square(16, 0.01);
-  std::printf("%g %g\n", coarse, fine);
-  CHECK(fine == Approx(1.002).margin(0.01));  // with its shear
+  CHECK(fine == Approx(1.002).margin(0.005));  // with its shear, to which quadrilaterals tend
   CHECK(coarse < fine);
+  CHECK(1.002 - fine < 0.25 * (1.002 - coarse));  // at least as the square of the mesh
 }
 
 TEST_CASE("triangular plates: a clamped disc sinks as Mindlin's") {
   const double coarse = clamped_disc(3), fine = clamped_disc(6);
-  std::printf("%g %g\n", coarse, fine);
   CHECK(fine == Approx(1).margin(0.02));
-  CHECK(std::abs(fine - 1) < std::abs(coarse - 1));
+  CHECK(std::abs(fine - 1) < 0.25 * std::abs(coarse - 1));
 }
 
 TEST_CASE("triangular plates: a simply supported one swings under a step of pressure as the sum of Mindlin's modes") {
