@@ -31,8 +31,9 @@ struct Plate3DrillingState<FreeDrilling, T> {
 /// measured in the middle of the step, so that a rotation strains nothing; the stresses live in the plate's frame. Its
 /// material is a section, as of Plate4. No motion of two triangles or more is without strain but those of a rigid body
 /// and, with FreeDrilling, the drilling, so that it has no hourglass control; of one alone the rotation of its nodes
-/// about the lines to its middle strains nothing. In its plane its strain is uniform: it bends there too stiffly.
-/// Policies: change of the thickness, and resistance to the drilling (of which `stiffness` alone is used).
+/// about the lines to its middle strains nothing. In its plane its strain is uniform: it bends there too stiffly. On
+/// curved surfaces take DrillingStiffness{1e-2}, for triangles meet there at an angle along every edge. Policies:
+/// change of the thickness, and resistance to the drilling (of which `stiffness` alone is used).
 ///   Plate3{}   Plate3{ThicknessChange{}}   Plate3{ConstantThickness{}, FreeDrilling{}}
 template <class Thickness = ConstantThickness, class Drilling = DrillingStiffness>
 struct Plate3 {
