@@ -1,6 +1,7 @@
 #pragma once
-#include <strike/material/kinematics.hpp>
+#include <strike/material/material.hpp>
 #include <strike/scalar/scalar.hpp>
+#include <strike/tensor/plane.hpp>
 
 // The pieces that plates of all shapes share.
 namespace strike::detail {
