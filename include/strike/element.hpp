@@ -9,9 +9,15 @@
 #include <strike/element/mass_scaled.hpp>
 #include <strike/element/merged_corners.hpp>
 #include <strike/element/particle.hpp>
+#include <strike/element/plate3.hpp>
+#include <strike/element/plate3_modes.hpp>
+#include <strike/element/plate3_motion.hpp>
+#include <strike/element/plate3_resistance.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/plate4_modes.hpp>
 #include <strike/element/plate_hourglass.hpp>
+#include <strike/element/plate_point.hpp>
+#include <strike/element/plate_thickness.hpp>
 #include <strike/element/plate_warping.hpp>
 #include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>

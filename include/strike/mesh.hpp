@@ -20,3 +20,4 @@
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/tetrahedra.hpp>
 #include <strike/mesh/transform.hpp>
+#include <strike/mesh/triangulated.hpp>

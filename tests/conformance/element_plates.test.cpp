@@ -1,3 +1,4 @@
+#include <strike/element/plate3.hpp>
 #include <strike/element/plate4.hpp>
 
 #include "conformance/plate.hpp"
@@ -20,5 +21,12 @@ TEST_CASE("conformance: Plate4 with the physical hourglass control, flat, drilli
   conforms_as_plate(Plate4{PhysicalHourglass{}, NoWarping{}, ThicknessChange{}, FreeDrilling{}});
 }
 
+TEST_CASE("conformance: Plate3") { conforms_as_plate(Plate3{}); }
+TEST_CASE("conformance: Plate3 whose thickness changes and whose nodes drill freely") {
+  conforms_as_plate(Plate3{ThicknessChange{}, FreeDrilling{}});
+}
+
 static_assert(Element<Plate4<>, std::decay_t<decltype(testing::metal_plate)>>);
 static_assert(!Element<Plate4<>, Elastic>);
+static_assert(Element<Plate3<>, std::decay_t<decltype(testing::metal_plate)>>);
+static_assert(!Element<Plate3<>, Elastic>);

@@ -1,11 +1,13 @@
 #pragma once
 // The laws of elements of plates as one suite, those that they share with solids from conformance/element.hpp:
 //   TEST_CASE("conformance: my plate") { testing::conforms_as_plate(MyPlate{}); }
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include <strike/element/plate3.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/section/layered.hpp>
@@ -16,27 +18,50 @@ namespace strike::testing {
 
 using namespace strike::verify;
 
-/// Distorted quadrilaterals, warped or plane.
-class Quadrilaterals : public Shapes<4> {
+/// The undistorted corners of a plate of n nodes.
+template <int n>
+Nodal<double, n> plate_corners() {
+  if constexpr (n == 3)
+    return unit_triangle();
+  else
+    return unit_square();
+}
+
+/// Distorted triangles, or quadrilaterals, warped or plane.
+template <int n>
+class PlateShapes : public Shapes<n> {
  public:
-  explicit Quadrilaterals(unsigned seed, double distortion = 0.2)
-      : Shapes<4>(seed, unit_square(), distortion), distortion_(distortion) {}
+  explicit PlateShapes(unsigned seed, double distortion = 0.2)
+      : Shapes<n>(seed, plate_corners<n>(), distortion), distortion_(distortion) {}
 
   /// In the plane z = 0.
-  Nodal<double, 4> flat() {
-    const Eigen::Vector3d stretch(std::exp(unit()), std::exp(unit()), 1);
-    const Nodal<double, 4> distorted = unit_square() + distortion_ * nodal();
-    Nodal<double, 4> x = stretch.asDiagonal() * distorted;
+  Nodal<double, n> flat() {
+    const Eigen::Vector3d stretch(std::exp(this->unit()), std::exp(this->unit()), 1);
+    const Nodal<double, n> distorted = plate_corners<n>() + distortion_ * this->nodal();
+    Nodal<double, n> x = stretch.asDiagonal() * distorted;
     x.row(2).setZero();
     return x;
   }
-  Eigen::Matrix3d turn() { return Eigen::AngleAxisd(3 * unit(), vector().normalized()).toRotationMatrix(); }
+  Eigen::Matrix3d turn() { return Eigen::AngleAxisd(3 * this->unit(), this->vector().normalized()).toRotationMatrix(); }
   /// In any plane.
-  Nodal<double, 4> plane() { return turn() * flat(); }
+  Nodal<double, n> plane() { return turn() * flat(); }
 
  private:
   double distortion_;
 };
+
+using Quadrilaterals = PlateShapes<4>;
+using Triangles = PlateShapes<3>;
+
+/// The frame of a plate at x.
+inline Plate4Frame<double> plate_frame(const Nodal<double, 4>& x) {
+  const Plate4Modes<double> m = to_plate_modes<double>(x);
+  return {m.xi, m.eta};
+}
+inline Plate4Frame<double> plate_frame(const Nodal<double, 3>& x) {
+  const Plate3Modes<double> m = to_triangle_modes<double>(x);
+  return {m.xi, m.eta};
+}
 
 // Sections that show what a plate does.
 
@@ -89,16 +114,16 @@ inline const Homogeneous brittle_plate{PlaneStress{brittle}, 0.2};
 /// w = W X + b, but about the normal the spin of L. Or, for elements that measure the shear along their edges, with a
 /// deflection to the curvature, so that the shear is uniform too.
 enum class Bending { rotations, deflection };
+template <int n>
 class LinearPlateMotion {
  public:
-  LinearPlateMotion(Quadrilaterals& shapes, const Nodal<double, 4>& X, Bending bending)
+  LinearPlateMotion(PlateShapes<n>& shapes, const Nodal<double, n>& X, Bending bending)
       : L_(shapes.matrix()),
         W_(shapes.matrix()),
         a_(shapes.vector()),
         b_(shapes.vector()),
         middle_(X.rowwise().mean()) {
-    const Plate4Modes<double> m = to_plate_modes<double>(X);
-    const Plate4Frame<double> frame(m.xi, m.eta);
+    const Plate4Frame<double> frame = plate_frame(X);
     e_ << frame.e1(), frame.e2(), frame.normal;
     const Eigen::Vector3d e3 = e_.col(2);
     const auto drilling = [&](const auto& w) { return (e3 * e3.transpose() * w).eval(); };
@@ -112,10 +137,10 @@ class LinearPlateMotion {
     }
   }
 
-  Nodal<double, 8> operator()(const Nodal<double, 4>& X) const {
-    Nodal<double, 8> v;
+  Nodal<double, 2 * n> operator()(const Nodal<double, n>& X) const {
+    Nodal<double, 2 * n> v;
     v << (L_ * X).colwise() + a_, (W_ * X).colwise() + b_;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < n; ++i) {
       const Eigen::Vector3d d = X.col(i) - middle_;
       v.col(i) -= 0.5 * d.dot(curvature_ * d) * e_.col(2);
     }
@@ -142,22 +167,23 @@ namespace detail {
 inline double norm(const PlaneTensor<double>& a) { return std::sqrt(double_dot(a, a)); }
 
 /// A history of random steps.
+template <int n>
 struct RandomSteps {
-  Nodal<double, 4> X;
-  std::vector<Nodal<double, 8>> v;
+  Nodal<double, n> X;
+  std::vector<Nodal<double, 2 * n>> v;
 
-  explicit RandomSteps(Quadrilaterals& shapes) : X(shapes()) {
-    for (int i = 0; i < 5; ++i) v.push_back(shapes.nodal<8>());
+  explicit RandomSteps(PlateShapes<n>& shapes) : X(shapes()) {
+    for (int i = 0; i < 5; ++i) v.push_back(shapes.template nodal<2 * n>());
   }
   /// The same with the corners named in another order.
   template <class Order>
   RandomSteps renumbered(const Order& order) const {
     RandomSteps other = *this;
-    for (int i = 0; i < 4; ++i) {
-      other.X.col(i) = X.col(order[i]);
+    for (int i = 0; i < n; ++i) {
+      other.X.col(i) = X.col(order[std::size_t(i)]);
       for (std::size_t k = 0; k < v.size(); ++k) {
-        other.v[k].col(i) = v[k].col(order[i]);
-        other.v[k].col(4 + i) = v[k].col(4 + order[i]);
+        other.v[k].col(i) = v[k].col(order[std::size_t(i)]);
+        other.v[k].col(n + i) = v[k].col(n + order[std::size_t(i)]);
       }
     }
     return other;
@@ -171,19 +197,20 @@ struct RandomSteps {
 };
 }  // namespace detail
 
-/// On any plane quadrilateral membrane rate, curvature and transverse shear of linear fields are measured exactly, and
+/// On any plane plate membrane rate, curvature and transverse shear of linear fields are measured exactly, and
 /// the hourglass control ignores them.
 template <class E>
-void reproduces_linear_plate_motions(const E& element, Quadrilaterals shapes) {
+void reproduces_linear_plate_motions(const E& element, PlateShapes<E::nodes> shapes) {
+  constexpr int n = E::nodes;
   for (int trial = 0; trial < 20; ++trial) {
-    const Nodal<double, 4> middle = shapes.plane();  // where the nodes are in the middle of the step
-    const LinearPlateMotion motion(shapes, middle, E::projects_shear ? Bending::deflection : Bending::rotations);
-    const Nodal<double, 8> v = motion(middle);
+    const Nodal<double, n> middle = shapes.plane();  // where the nodes are in the middle of the step
+    const LinearPlateMotion<n> motion(shapes, middle, E::projects_shear ? Bending::deflection : Bending::rotations);
+    const Nodal<double, 2 * n> v = motion(middle);
     const double dt = 0.01;
     typename E::template State<PlateWitness, double> state;
     element.begin(state, PlateWitness{}, middle);
     const auto response =
-        element.advance(state, PlateWitness{}, Nodal<double, 4>(middle + 0.5 * dt * v.leftCols<4>()), v, dt);
+        element.advance(state, PlateWitness{}, Nodal<double, n>(middle + 0.5 * dt * v.template leftCols<n>()), v, dt);
 
     const auto expected = motion.rate();
     const double rounding = 1e-13 * motion.size() * (1 + detail::size(middle));
@@ -201,17 +228,21 @@ void reproduces_linear_plate_motions(const E& element, Quadrilaterals shapes) {
 /// It does not matter with which corner the numbers begin; nor, for a section that is the same from above and below,
 /// whether they go round one way or the other.
 template <class E, class Section = decltype(metal_plate)>
-void numbering_does_not_matter(const E& element, Quadrilaterals shapes, const Section& section = metal_plate) {
-  constexpr int orders[][4] = {{1, 2, 3, 0}, {2, 3, 0, 1}, {3, 0, 1, 2}, {0, 3, 2, 1}};
+void numbering_does_not_matter(const E& element, PlateShapes<E::nodes> shapes, const Section& section = metal_plate) {
+  constexpr int n = E::nodes;
+  std::vector<std::array<int, n>> orders(n);  // each corner first, and the other way round
+  for (int first = 0; first < n; ++first)
+    for (int i = 0; i < n; ++i) orders[std::size_t(first)][std::size_t(i)] = first == 0 ? (n - i) % n : (first + i) % n;
   for (int trial = 0; trial < 5; ++trial) {
-    const detail::RandomSteps steps(shapes);
+    const detail::RandomSteps<n> steps(shapes);
     const auto expected = steps.run(element, section);
     for (const auto& order : orders) {
       const auto found = steps.renumbered(order).run(element, section);
       const double rounding = 1e-13 * detail::size(expected.x);  // of forces of a strain of 1
-      for (int i = 0; i < 4; ++i) {
-        CHECK((found.force.col(i) - expected.force.col(order[i])).norm() <= rounding);
-        CHECK((found.force.col(4 + i) - expected.force.col(4 + order[i])).norm() <= rounding);
+      for (int i = 0; i < n; ++i) {
+        const int j = order[std::size_t(i)];
+        CHECK((found.force.col(i) - expected.force.col(j)).norm() <= rounding);
+        CHECK((found.force.col(n + i) - expected.force.col(n + j)).norm() <= rounding);
       }
       CHECK(found.volume == Approx(expected.volume).epsilon(1e-14));
       CHECK(found.stable_step == Approx(expected.stable_step).epsilon(1e-13));
@@ -221,21 +252,22 @@ void numbering_does_not_matter(const E& element, Quadrilaterals shapes, const Se
   }
 }
 
-/// The step is never beyond the exact one of the free plate: 3990 quadrilaterals, plane and warped, of h/sqrt(A) from
-/// 1e-3 to 10, and sections of one layer, of stiff faces on a soft core, and of layers beside the surface of the nodes.
+/// The step is never beyond the exact one of the free plate: 3990 quadrilaterals or triangles, plane and warped, of
+/// h/sqrt(A) from 1e-3 to 10, and sections of one layer, of stiff faces on a soft core, and of layers beside the
+/// surface of the nodes.
 template <class E>
-void plate_step_is_safe(const E& element, Quadrilaterals shapes = Quadrilaterals(1)) {
+void plate_step_is_safe(const E& element, PlateShapes<E::nodes> shapes = PlateShapes<E::nodes>(1)) {
+  constexpr int n = E::nodes;
   double least = 10;  // exact over claimed
-  const auto ask = [&](const auto& section, const Nodal<double, 4>& x) {
+  const auto ask = [&](const auto& section, const Nodal<double, n>& x) {
     const SingleElement single{element, section, x};
-    const double exact = 2 / single.vibration().frequencies()(23);  // nothing damps
+    const double exact = 2 / single.vibration().frequencies()(6 * n - 1);  // nothing damps
     least = std::min(least, exact / single.now().stable_step);
   };
   for (int trial = 0; trial < 3990; ++trial) {
     const double nu = std::array{0.0, 0.3, 0.49}[static_cast<std::size_t>(trial % 3)], c = 0.5 * (1 + shapes.unit());
-    const Nodal<double, 4> x = trial % 2 == 0 ? shapes() : shapes.plane();
-    const Plate4Modes<double> m = to_plate_modes<double>(x);
-    const double h = std::pow(10, 2 * shapes.unit() - 1) * std::sqrt(Plate4Frame<double>(m.xi, m.eta).area);
+    const Nodal<double, n> x = trial % 2 == 0 ? shapes() : shapes.plane();
+    const double h = std::pow(10, 2 * shapes.unit() - 1) * std::sqrt(plate_frame(x).area);
     const Layer stiff{PlaneStress{Elastic{1, 1, nu}}, c * h, Gauss<3>{}};
     const Layer soft{PlaneStress{Elastic{0.5, std::pow(10, -3 * c), 0.3}}, (1 - c) * h, Gauss<3>{}};
     switch (trial % 5) {
@@ -260,16 +292,33 @@ struct SlidingLayers {
   double stiffness(const TransverseShear<double>& shear) const { return 1e-300 * shear.stiffness; }
 };
 
-/// The patch tests: in a square of five distorted quadrilaterals whose nodes move by a linear field, the resultants are
+/// A square of five distorted quadrilaterals, or of the ten triangles that halve them along either diagonal.
+template <int n>
+PatchMesh<n> plates_patch(PlateShapes<n>& shapes) {
+  const PatchMesh<4> whole =
+      quadrilaterals_patch((0.4 * (unit_square().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.template nodal<4>());
+  PatchMesh<n> patch{whole.nodes, {}, whole.first_inner};
+  if constexpr (n == 4)
+    patch = whole;
+  else
+    for (auto cell : whole.cells) {
+      if (shapes.unit() > 0) std::rotate(cell.begin(), cell.begin() + 1, cell.end());
+      patch.cells.push_back({cell[0], cell[1], cell[2]}), patch.cells.push_back({cell[0], cell[2], cell[3]});
+    }
+  patch.nodes.row(2).setZero();
+  return patch;
+}
+
+/// The patch tests: in a square of distorted plates whose nodes move by a linear field, the resultants are
 /// the same everywhere and the inner nodes are in equilibrium: of membrane strain, of curvature where layers slide or,
 /// if the shear is that along the edges, of any section, and of a uniform transverse shear, of which each node bears
 /// the couple e3 x Q of its share of the area.
 template <class E>
-void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
+void passes_the_plate_patch_tests(const E& element, PlateShapes<E::nodes> shapes) {
   const double tolerance = 1e-12;  // rounding
   using Vectors = Eigen::Matrix<double, 3, 8>;
   struct Response {
-    std::vector<Eigen::Matrix3d> force, moment;  // of each quadrilateral, in space
+    std::vector<Eigen::Matrix3d> force, moment;  // of each plate, in space
     std::vector<Eigen::Vector3d> shear;
     Vectors nodal_force, nodal_moment, couple = Vectors::Zero();
     double area;
@@ -280,9 +329,7 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
   const auto balance = [&](const auto& nodal) { CHECK(nodal.rightCols(4).norm() <= tolerance * nodal.norm()); };
 
   for (int trial = 0; trial < 5; ++trial) {
-    PatchMesh<4> patch =
-        quadrilaterals_patch((0.4 * (unit_square().array() - 0.5) + 0.5).matrix() + 0.08 * shapes.nodal());
-    patch.nodes.row(2).setZero();
+    PatchMesh<E::nodes> patch = plates_patch(shapes);
     const Eigen::Matrix3d turn = shapes.turn();
     const Vectors X = turn * patch.nodes;
     patch.nodes = X;
@@ -294,8 +341,7 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
       Response response{{}, {}, {}, moved.force, moved.moment, Vectors::Zero(), moved.volume()};
       for (std::size_t k = 0; k < patch.cells.size(); ++k) {
         const auto& now = moved.elements[k];
-        const Plate4Modes<double> m = to_plate_modes<double>(now.x);
-        const Plate4Frame<double> frame(m.xi, m.eta);
+        const Plate4Frame<double> frame = plate_frame(now.x);
         Eigen::Matrix<double, 3, 2> e;
         e << frame.e1(), frame.e2();
         const auto in_space = [&](const PlaneTensor<double>& a) -> Eigen::Matrix3d {
@@ -305,7 +351,7 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
         response.moment.push_back(in_space(now.stress.moment));
         response.shear.push_back(e * now.stress.shear);
         for (const int node : patch.cells[k])
-          response.couple.col(node) += 0.25 * now.volume * frame.normal.cross(response.shear.back());
+          response.couple.col(node) += now.volume / E::nodes * frame.normal.cross(response.shear.back());
       }
       return response;
     };
@@ -352,7 +398,7 @@ void passes_the_plate_patch_tests(const E& element, Quadrilaterals shapes) {
 /// All laws but that of the step, plate_step_is_safe, which takes longest: element/stable_step.test.cpp has it.
 template <class E>
 void conforms_as_plate(const E& element) {
-  const Quadrilaterals shapes(1);
+  const PlateShapes<E::nodes> shapes(1);
   reproduces_linear_plate_motions(element, shapes);
   rigid_motions_give_no_force(element, elastic_plate, shapes, FiniteRotations::exact);
   forces_and_moments_sum_to_zero(element, metal_plate, shapes);

@@ -161,7 +161,7 @@ TEST_CASE("conformance: wrong numbers of elements are refused") {
   refuses(Hex8{ViscousHourglass{}, Jaumann{}, BulkViscosityBothWays{}, EndStep{}});
   refuses(Hex8Full{});
   refuses(Tet4{});
-  refuses(Plate4{});
+  refuses(Plate4{}), refuses(Plate3{});
   refuses(MassScaled{Hex8{}, 1e-4});
   tried.print("elements");
 }

@@ -7,6 +7,7 @@
 
 #include "conformance/plate.hpp"
 #include "dynamics/assembled.hpp"
+#include "problems/plate_cells.hpp"
 #include "problems/taylor_bar.hpp"
 #include "support/catch.hpp"
 
@@ -212,21 +213,22 @@ TEST_CASE("the resistance of a tetrahedron is its stiffness and its damping, of 
 
 TEST_CASE("the resistance of a plate is its stiffness, of any shape, warped too, and of any section") {
   const double dt = 0.02;
-  testing::Quadrilaterals shapes(7);
+  unsigned seed = 7;
   const auto check = [&](const auto& element, const auto& section) {
     using E = std::decay_t<decltype(element)>;
-    const Nodal<double, 4> x = shapes();
+    constexpr int n = E::nodes;
+    const Nodal<double, n> x = testing::PlateShapes<n>(seed++)();
     const SingleElement single{element, section, x};
     typename E::template State<std::decay_t<decltype(section)>, double> state;
     element.begin(state, section, x);
-    const auto resistance = element.resistance(state, section, x, Nodal<double, 8>::Zero().eval(), dt);
+    const auto resistance = element.resistance(state, section, x, Nodal<double, 2 * n>::Zero().eval(), dt);
     const Eigen::MatrixXd expected = 0.25 * dt * dt * single.vibration().stiffness;  // of angles times gyration
     const double gyration = std::sqrt(single.nodal_inertia() / single.nodal_mass());
-    for (int k = 0; k < 24; ++k) {
-      Nodal<double, 8> p = Nodal<double, 8>::Zero();
-      p(k) = k < 12 ? 1 : 1 / gyration;
-      Nodal<double, 8> f = resistance(x, p);
-      f.rightCols<4>() /= gyration;
+    for (int k = 0; k < 6 * n; ++k) {
+      Nodal<double, 2 * n> p = Nodal<double, 2 * n>::Zero();
+      p(k) = k < 3 * n ? 1 : 1 / gyration;
+      Nodal<double, 2 * n> f = resistance(x, p);
+      f.template rightCols<n>() /= gyration;
       CHECK((f.reshaped() - expected.col(k)).norm() <= 1e-9 * expected.norm());
     }
     CHECK(resistance.mass == Approx(single.nodal_mass()).epsilon(1e-13));
@@ -236,6 +238,8 @@ TEST_CASE("the resistance of a plate is its stiffness, of any shape, warped too,
     check(Plate4{}, two_layers);
     check(Plate4{PlateHourglass{}, RigidOffset{}, ThicknessChange{}}, testing::elastic_plate);
     check(Plate4{NoPlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}}, testing::elastic_plate);
+    check(Plate3{}, two_layers);
+    check(Plate3{ThicknessChange{}, FreeDrilling{}}, testing::elastic_plate);
   }
 }
 
@@ -308,8 +312,9 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: tetrahedra
 TEST_CASE("the step of the whole mesh is never above the exact limit: plates that strike a wall") {
   const auto check = [&](const auto& element, const auto& section, double warp) {
     for (const double speed : {1e-3, 0.03}) {
-      const Mesh mesh = sheet(5, 0.15, warp, 3);
-      auto run = flight(mesh, Part{element, section, mesh.quadrilaterals}, {0, -speed, -speed},
+      using E = std::decay_t<decltype(element)>;
+      const Mesh mesh = testing::for_element<E>(sheet(5, 0.15, warp, 3));
+      auto run = flight(mesh, Part{element, section, testing::plate_cells<E>(mesh)}, {0, -speed, -speed},
                         RigidWall{{0, -0.2, -0.06}, {0, 0.5, 1}});
       const Seen seen = watch(run, 100, 60, 20);
       INFO("speed " << speed);
@@ -320,6 +325,7 @@ TEST_CASE("the step of the whole mesh is never above the exact limit: plates tha
   check(Plate4{}, testing::elastic_plate, 0);
   check(Plate4{}, testing::elastic_plate, 0.1);
   check(Plate4{}, two_layers, 0.05);
+  check(Plate3{}, two_layers, 0.05);
   check(Plate4{PlateHourglass{}, RigidOffset{}, ThicknessChange{}},
         Homogeneous{PlaneStress{testing::metal}, 0.01, Gauss<3>{}}, 0.1);
 }

@@ -72,6 +72,8 @@ static_assert(sizeof(Homogeneous<PlaneStress<Elastic>, Gauss<3>, FiveSixthsShear
 using Ply = Layer<PlaneStress<Elastic>, Gauss<3>>;
 static_assert(sizeof(Layered<Ply, Ply>::State<double>) == (2 * 3 * 3 + 2) * sizeof(double));
 static_assert(sizeof(Layered<Ply, Ply, InstantaneousShear>::State<double>) == (2 * (3 * 3 + 1) + 3) * sizeof(double));
+static_assert(sizeof(Plate3<>::State<Sheet, D8>) == (1 + 3 + 22) * d8);
+static_assert(sizeof(Plate3<ConstantThickness, FreeDrilling>::State<Sheet, D8>) == (1 + 22) * d8);
 static_assert(sizeof(Plate4<>::State<Sheet, D8>) == (1 + 5 + 4 + 22) * d8);
 static_assert(sizeof(Plate4<PhysicalHourglass>::State<Sheet, D8>) == (1 + 5 * 2 + 2 + 4 + 22) * d8);
 static_assert(sizeof(Plate4<PlateHourglass, NoWarping, ThicknessChange, FreeDrilling>::State<Sheet, D8>) ==

@@ -164,6 +164,10 @@ TEST_CASE("Tet4: the step of a free mesh is safe with the pressure of its nodes"
   CHECK_THROWS_AS(bounded(Tet4{NodalPressure{0.0}, HughesWinget{}, NoBulkViscosity{}}, 2.5), Error);
 }
 
+TEST_CASE("the stable step of Plate3 is safe on 3990 random triangles") {
+  plate_step_is_safe(Plate3{});
+  plate_step_is_safe(Plate3{ThicknessChange{}, FreeDrilling{}}, testing::Triangles(2));
+}
 TEST_CASE("the stable step of Plate4 is safe on 3990 random quadrilaterals") { plate_step_is_safe(Plate4{}); }
 TEST_CASE("the stable step of Plate4 that knows no warp and drills freely is safe") {
   plate_step_is_safe(Plate4{PlateHourglass{}, NoWarping{}, ConstantThickness{}, FreeDrilling{}});

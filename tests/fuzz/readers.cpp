@@ -22,12 +22,14 @@ void expect_below(const std::vector<strike::Index>& members, std::size_t count) 
 /// Every number in a deck names something that is there.
 void expect_whole(const strike::Deck& deck) {
   const std::size_t nodes = deck.mesh.nodes.size();
-  const std::size_t cells = deck.mesh.hexahedra.size() + deck.mesh.tetrahedra.size() + deck.mesh.quadrilaterals.size();
+  const std::size_t cells = deck.mesh.hexahedra.size() + deck.mesh.tetrahedra.size() + deck.mesh.quadrilaterals.size() +
+                            deck.mesh.triangles.size();
   const auto expect_cells = [&](const auto& list) {
     for (const auto& cell : list)
       for (const strike::Index node : cell) expect(node < nodes);
   };
   expect_cells(deck.mesh.hexahedra), expect_cells(deck.mesh.tetrahedra), expect_cells(deck.mesh.quadrilaterals);
+  expect_cells(deck.mesh.triangles);
   expect(deck.node_numbers.size() == nodes && deck.cell_numbers.size() == cells);
   for (const auto& x : deck.mesh.nodes) expect(x.allFinite());
   const auto expect_members = [&](const auto& sets, std::size_t count) {

@@ -31,7 +31,7 @@ TEST_CASE("abaqus: a flat deck with sets, ranges and elements over two lines") {
   CHECK(deck.mesh.nodes[9] == Eigen::Vector3d(0, 0, 0));
   CHECK(deck.part("BOX").hexahedra == Cells<8>{{0, 1, 2, 3, 4, 5, 6, 7}});
   CHECK(deck.part("tip").tetrahedra == Cells<4>{{4, 5, 6, 8}});
-  CHECK(deck.part("skin").quadrilaterals == Cells<4>{{7, 8, 9, 9}, {9, 0, 1, 1}});
+  CHECK(deck.part("skin").triangles == Cells<3>{{7, 8, 9}, {9, 0, 1}});
   CHECK(deck.part("solids").hexahedra.size() == 1);
   CHECK(deck.part("solids").tetrahedra.size() == 1);
   CHECK(deck.cell_numbers == std::vector<FileNumber>{5, 6, 7, 8});
@@ -52,7 +52,8 @@ TEST_CASE("abaqus: surfaces of gmsh are plates unless they lie on solids") {
                          "*ELEMENT, TYPE=CPS3, ELSET=Surface2\n3,2,9,10\n*ELEMENT, TYPE=C3D8\n4,1,2,3,4,5,6,7,8\n"
                          "*ELSET, ELSET=side\n1, 2, \n");
   CHECK(deck.mesh.hexahedra.size() == 1);
-  CHECK(deck.mesh.quadrilaterals == Cells<4>{{1, 8, 9, 2}, {1, 8, 9, 9}});
+  CHECK(deck.mesh.quadrilaterals == Cells<4>{{1, 8, 9, 2}});
+  CHECK(deck.mesh.triangles == Cells<3>{{1, 8, 9}});
   CHECK(deck.part("side").quadrilaterals == Cells<4>{{1, 8, 9, 2}});
   CHECK(deck.warnings == std::vector<std::string>{"Surface elements on solids (1) mark faces, and are no plates."});
 }

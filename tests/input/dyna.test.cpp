@@ -52,11 +52,12 @@ TEST_CASE("dyna: nodes and elements in columns and with commas, of every shape")
   CHECK(deck.mesh.nodes[5] == Eigen::Vector3d(1, 0, 1));
   CHECK(deck.mesh.hexahedra == Cells<8>{{0, 1, 2, 3, 4, 5, 6, 7}});
   CHECK(deck.mesh.tetrahedra == Cells<4>{{4, 5, 6, 8}, {4, 6, 7, 8}, {4, 5, 7, 8}, {4, 5, 6, 8}});
-  CHECK(deck.mesh.quadrilaterals == Cells<4>{{1, 9, 2, 2}, {1, 9, 2, 2}});
+  CHECK(deck.mesh.quadrilaterals.empty());
+  CHECK(deck.mesh.triangles == Cells<3>{{1, 9, 2}, {1, 9, 2}});
   CHECK(deck.cell_numbers == std::vector<FileNumber>{11, 12, 13, 14, 15, 11, 12});
   CHECK(deck.part("the block").hexahedra.size() == 1);
   CHECK(deck.part("the tip").tetrahedra.size() == 4);
-  CHECK(deck.part(3).quadrilaterals.size() == 2);
+  CHECK(deck.part(3).triangles.size() == 2);
   CHECK(deck.part_cards[0].section == 4);
   CHECK(deck.part_cards[0].material == 5);
   CHECK(deck.part_cards[0].eos == 6);

@@ -207,6 +207,18 @@ TEST_CASE("dyna definitions: values of each shell stand with it") {
   };
   expect_values(shell("_THICKNESS", "0\n", "1.5,0,0,3\n"), 1.5, 0, 0);
   expect_values(shell("_BETA", "0\n", "0,0,0,0,30\n"), 0, 30, 0);
+  {  // a triangle, numbered behind the quadrilateral that follows it
+    const DynaDeck deck = read(two + "*ELEMENT_SHELL_BETA\n1,1,1,2,3,3\n0,0,0,0,30\n2,2,2,5,6,3\n0\n");
+    CHECK(deck.mesh.quadrilaterals.size() == 1);
+    CHECK(deck.mesh.triangles.size() == 1);
+    CHECK(deck.cell_numbers == std::vector<FileNumber>{2, 1});
+    REQUIRE(deck.shells.size() == 1);
+    CHECK(deck.shells[0].cell == 1);
+    CHECK(deck.shells[0].angle == 30);
+    CHECK(deck.part(1).triangles == Cells<3>{deck.mesh.triangles[0]});
+    CHECK(deck.part(1).nodes().size() == 3);
+    CHECK(deck.part(2).triangles.empty());
+  }
   expect_values(shell("_OFFSET", "0\n", "-.25\n"), 0, 0, -0.25);
   expect_values(shell("_BETA_OFFSET", "0\n0\n", "0,0,0,0,30\n.5\n"), 0, 30, 0.5);
   expect_values(shell("_THICKNESS_OFFSET", "0\n0\n",

@@ -60,8 +60,10 @@ TEST_CASE("gmsh: version 4.1 with entities in two groups and parametric nodes") 
       "$Entities\n1 1 2 0\n1 0 0 0 0\n1 0 0 0 1 0 0 0 2 1 -1\n1 0 0 0 1 1 0 2 1 2 1 1\n2 0 0 0 1 1 0 1 1 0\n"
       "$EndEntities\n$Nodes\n2 5 1 5\n2 1 1 3\n1\n2\n3\n0 0 0 .1 .2\n1 0 0 .1 .2\n1 1 0 .1 .2\n2 2 0 2\n4\n5\n"
       "0 1 0\n2 0 0\n$EndNodes\n$Elements\n2 2 1 2\n2 1 3 1\n1 1 2 3 4\n2 2 2 1\n2 2 5 3\n$EndElements\n");
-  CHECK(deck.mesh.quadrilaterals == Cells<4>{{0, 1, 2, 3}, {1, 4, 2, 2}});
-  CHECK(deck.part("all").quadrilaterals.size() == 2);
+  CHECK(deck.mesh.quadrilaterals == Cells<4>{{0, 1, 2, 3}});
+  CHECK(deck.mesh.triangles == Cells<3>{{1, 4, 2}});
+  CHECK(deck.part("all").quadrilaterals.size() == 1);
+  CHECK(deck.part("all").triangles.size() == 1);
   CHECK(deck.part("left").quadrilaterals == Cells<4>{{0, 1, 2, 3}});
   CHECK(deck.nodes("left") == std::vector<Index>{0, 1, 2, 3});
   CHECK(deck.warnings.empty());
@@ -230,7 +232,7 @@ TEST_CASE("gmsh: a partitioned mesh in ASCII keeps its groups, and the names of 
     const Deck deck = read(head4 + entities + mesh + unread);
     CHECK(deck.part(5).tetrahedra.size() == 1);  // of the whole, and its own: once
     CHECK(deck.part(9).tetrahedra.size() == 1);
-    CHECK(deck.part("surface 4").quadrilaterals == Cells<4>{{1, 4, 5, 5}});  // a piece of surface 4
+    CHECK(deck.part("surface 4").triangles == Cells<3>{{1, 4, 5}});  // a piece of surface 4
     CHECK(deck.nodes(8).size() == 3);  // between two pieces of a volume, which is no surface
     REQUIRE(deck.warnings.size() == 3);
     CHECK_THAT(deck.warnings[1], ContainsSubstring("$Periodic (1) was skipped: line "));

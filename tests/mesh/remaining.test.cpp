@@ -10,12 +10,14 @@ using namespace strike;
 TEST_CASE("remaining: the cells that are left, their values, and the nodes of the others") {
   Mesh mesh = box({.size = {3, 1, 1}, .cells = {3, 1, 1}});
   mesh.quadrilaterals = {{0, 1, 5, 4}};
-  const std::vector<bool> alive{true, false, false, true};
+  mesh.triangles = {{0, 1, 5}, {0, 5, 4}};
+  const std::vector<bool> alive{true, false, false, true, false, true};
   const Mesh left = remaining(mesh, alive);
   CHECK(left.nodes.size() == mesh.nodes.size());
   CHECK(left.hexahedra == Cells<8>{mesh.hexahedra[0]});
   CHECK(left.quadrilaterals == mesh.quadrilaterals);
-  CHECK(remaining(std::vector<double>{1, 2, 3, 4}, alive) == std::vector<double>{1, 4});
+  CHECK(left.triangles == Cells<3>{{0, 5, 4}});
+  CHECK(remaining(std::vector<double>{1, 2, 3, 4, 5, 6}, alive) == std::vector<double>{1, 4, 6});
   CHECK(orphan_nodes(left).size() == 8);
   CHECK_THROWS(remaining(std::vector<double>{1}, alive));
 }

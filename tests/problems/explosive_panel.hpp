@@ -18,6 +18,8 @@
 #include <strike/mesh/sheet.hpp>
 #include <strike/section/layered.hpp>
 
+#include "problems/plate_cells.hpp"
+
 namespace strike::explosive_panel {
 
 /// Data of the panel in consistent units; those of the references are inches, seconds and pounds of force.
@@ -74,7 +76,7 @@ auto scene(const Mesh& panel, const Section& section, const Units& units = {}, c
   const auto side =
       nodes_where(panel.nodes, [](const Eigen::Vector3d& x) { return angle_of(x) > std::numbers::pi / 3 - 1e-6; });
   return Scene{panel.nodes,
-               Part{element, section, panel.quadrilaterals},
+               Part{element, section, testing::plate_cells<Element>(panel)},
                InitialVelocityField{Blast{units}},
                Symmetry{Axis::x, on(Axis::x, 0)},
                Clamped{side},

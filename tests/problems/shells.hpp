@@ -17,6 +17,8 @@
 #include <strike/mesh/sheet.hpp>
 #include <strike/section/layered.hpp>
 
+#include "problems/plate_cells.hpp"
+
 namespace strike::shells {
 
 /// A plate of one elastic material, of the density 1.
@@ -54,11 +56,15 @@ struct Supports {
   }
 };
 
-/// The force per area f, lumped: a quarter of that on an element to each of its corners.
+using testing::for_element, testing::plate_cells;
+
+/// The force per area f, lumped: a quarter of that on an element to each of its corners, of a triangle a third.
 inline Forces spread(const Mesh& mesh, const Eigen::Vector3d& f) {
   Forces load;
   for (const auto& cell : mesh.quadrilaterals)
     for (const Index i : cell) load.forces.emplace_back(i, 0.25 * quadrilateral_area(mesh.nodes, cell) * f);
+  for (const auto& cell : mesh.triangles)
+    for (const Index i : cell) load.forces.emplace_back(i, triangle_area(mesh.nodes, cell) / 3 * f);
   return load;
 }
 
@@ -74,9 +80,10 @@ struct Rest {
 template <class Element, class Section>
 Rest settle(const Mesh& mesh, const Element& element, const Section& section, Forces load, Supports supports,
             Index node, const Eigen::Vector3d& direction, std::size_t most_steps = 200000) {
-  Explicit run{Scene{mesh.nodes, Part{element, section, mesh.quadrilaterals}, std::move(load), std::move(supports)},
-               {},
-               DynamicRelaxation{}};
+  Explicit run{
+      Scene{mesh.nodes, Part{element, section, plate_cells<Element>(mesh)}, std::move(load), std::move(supports)},
+      {},
+      DynamicRelaxation{}};
   struct Patience {
     std::size_t most_steps, steps = 0;
     bool stops() const { return steps > most_steps; }
@@ -104,7 +111,7 @@ inline Support diaphragm(std::vector<Index> nodes) { return {std::move(nodes), {
 template <class Element>
 Rest scordelis_lo(Index n, const Element& element) {
   constexpr double R = 25, half = 25, angle = 40 * std::numbers::pi / 180, small = 1e-3;
-  const Mesh roof = panel({.radius = R, .length = half, .arc = {0, angle}, .cells = {n, n}});
+  const Mesh roof = for_element<Element>(panel({.radius = R, .length = half, .arc = {0, angle}, .cells = {n, n}}));
   Rest rest = settle(roof, element, elastic(4.32e8, 0, 0.25), spread(roof, {0, 0, -90 * small}),
                      {{diaphragm(on(roof, Axis::y, 0)), Symmetry{Axis::y, on(roof, Axis::y, half)},
                        Symmetry{Axis::x, on(roof, Axis::x, 0)}}},
@@ -117,7 +124,8 @@ Rest scordelis_lo(Index n, const Element& element) {
 template <class Element>
 Rest pinched_cylinder(Index n, const Element& element) {
   constexpr double R = 300, half = 300;
-  const Mesh cylinder = panel({.radius = R, .length = half, .arc = {0, std::numbers::pi / 2}, .cells = {n, n}});
+  const Mesh cylinder =
+      for_element<Element>(panel({.radius = R, .length = half, .arc = {0, std::numbers::pi / 2}, .cells = {n, n}}));
   const Index top = node_at(cylinder, {0, half, R});
   Rest rest = settle(cylinder, element, elastic(3e6, 0.3, 3), {{{top, {0, 0, -0.25}}}},
                      {{diaphragm(on(cylinder, Axis::y, 0)), Symmetry{Axis::y, on(cylinder, Axis::y, half)},
@@ -132,10 +140,10 @@ Rest pinched_cylinder(Index n, const Element& element) {
 template <class Element>
 Rest pinched_hemisphere(Index n, const Element& element, std::size_t most_steps = 200000) {
   constexpr double R = 10, right = std::numbers::pi / 2, small = 1e-3;
-  const Mesh dome = sheet({n, n}, [&](double s, double t) {
+  const Mesh dome = for_element<Element>(sheet({n, n}, [&](double s, double t) {
     const double a = s * right, b = t * 0.8 * right;
     return Eigen::Vector3d(R * std::cos(b) * std::cos(a), R * std::cos(b) * std::sin(a), R * std::sin(b));
-  });
+  }));
   const Index pulled = 0, pushed = n;
   Rest rest = settle(dome, element, elastic(6.825e7, 0.3, 0.04), {{{pulled, {small, 0, 0}}, {pushed, {0, -small, 0}}}},
                      {{Symmetry{Axis::x, on(dome, Axis::x, 0)}, Symmetry{Axis::y, on(dome, Axis::y, 0)},
@@ -157,16 +165,17 @@ template <class Element>
 Rest twisted_beam(Index n, TipLoad load, const Element& element, const Strip& strip = thick_strip,
                   std::size_t most_steps = 200000) {
   constexpr double length = 12, width = 1.1;
-  const Mesh beam = sheet({6 * n, n}, [&](double s, double t) {
+  const Mesh whole = sheet({6 * n, n}, [&](double s, double t) {
     const double angle = s * std::numbers::pi / 2, y = (t - 0.5) * width;
     return Eigen::Vector3d(s * length, y * std::cos(angle), y * std::sin(angle));
   });
   const Eigen::Vector3d direction = load == TipLoad::in_plane ? unit(Axis::z) : unit(Axis::y);
   Forces forces;
-  for (const auto& cell : beam.quadrilaterals)  // the edge 1-2 of the last elements
+  for (const auto& cell : whole.quadrilaterals)  // the edge 1-2 of the last elements
     for (const Index i : {cell[1], cell[2]})
-      if (beam.nodes[cell[1]].x() > length * (1 - 1e-9))
+      if (whole.nodes[cell[1]].x() > length * (1 - 1e-9))
         forces.forces.emplace_back(i, 0.5 * strip.force / n * direction);
+  const Mesh beam = for_element<Element>(whole);
   Rest rest = settle(beam, element, elastic(29e6, 0.22, strip.thickness), forces, {{Clamped{on(beam, Axis::x, 0)}}},
                      node_at(beam, {length, 0, 0}), direction, most_steps);
   rest.displacement /= load == TipLoad::in_plane ? strip.in_plane : strip.across;

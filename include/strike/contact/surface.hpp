@@ -177,5 +177,12 @@ inline Surface plate_surface(const Cells<4>& cells, double thickness, std::size_
                   .erodes = true,
                   .of_cells = quadrilateral_surface(cells)});
 }
+inline Surface plate_surface(const Cells<3>& cells, double thickness, std::size_t part) {
+  return Surface({.thickness = thickness,
+                  .part = part,
+                  .cells = cells.size(),
+                  .erodes = true,
+                  .of_cells = triangle_surface(cells)});
+}
 
 }  // namespace strike

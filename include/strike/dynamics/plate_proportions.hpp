@@ -28,18 +28,18 @@ class PlateProportions {
 template <class E, class M>
   requires requires(const M material) {
     requires HasCellShape<E>;
-    requires E::shape == CellShape::quadrilateral;
+    requires E::shape == CellShape::quadrilateral || E::shape == CellShape::triangle;
     double{material.thickness()};
   }
 class PlateProportions<E, M> {
  public:
   /// Plate e.
-  template <class N>
-  void add(std::size_t e, const N& nodes, const std::array<Index, 4>& cell, const M& section) {
-    const CellCorners<4> x = corners_at(nodes, cell);
+  template <class N, std::size_t n>
+  void add(std::size_t e, const N& nodes, const std::array<Index, n>& cell, const M& section) {
+    const CellCorners<n> x = corners_at(nodes, cell);
     double square = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 4; ++i)
-      if (const std::size_t next = (i + 1) % 4; cell[i] != cell[next])
+    for (std::size_t i = 0; i < n; ++i)
+      if (const std::size_t next = (i + 1) % n; cell[i] != cell[next])
         square = std::min(square, (x[next] - x[i]).squaredNorm());
     const double edge = std::sqrt(square), thickness = section.thickness();
     if (thickness > 2 * edge) thick_.add(e, edge, thickness, edge < thick_.edge);

@@ -47,8 +47,9 @@ template <class Part, class Nodes>
   const double largest = largest_stretch(part, nodes);
   if (!(largest > 1.05)) return {};
   return joined({"Plates of part ", std::to_string(part.number()), " have stretched to up to ", text(largest),
-                 " times their area and keep their thickness: if they should thin, take Plate4{PlateHourglass{}, "
-                 "BelytschkoWongChiang{}, ThicknessChange{}}."});
+                 " times their area and keep their thickness: if they should thin, take ",
+                 Part::n == 3 ? "Plate3{ThicknessChange{}}."
+                              : "Plate4{PlateHourglass{}, BelytschkoWongChiang{}, ThicknessChange{}}."});
 }
 
 }  // namespace strike::detail

@@ -28,7 +28,8 @@ namespace strike {
 namespace detail {
 
 /// Edges of an element from which its deformation is measured: the mean edges of a hexahedron along its three axes, the
-/// edges of a tetrahedron at its first corner, the mean edges of a plate and its unit normal.
+/// edges of a tetrahedron at its first corner, the mean edges of a plate and its unit normal;
+/// of a triangle two of its own.
 template <class E, class T>
 Matrix3<T> element_axes(const Nodal<T, E::nodes>& x) {
   const auto at = [&](int i) { return column(x, static_cast<std::size_t>(i)); };
@@ -37,9 +38,14 @@ Matrix3<T> element_axes(const Nodal<T, E::nodes>& x) {
                       T(0.25) * Vector3<T>((at(2) + at(3) + at(6) + at(7)) - (at(0) + at(1) + at(4) + at(5))),
                       T(0.25) * Vector3<T>((at(4) + at(5) + at(6) + at(7)) - (at(0) + at(1) + at(2) + at(3))));
   } else if constexpr (turns_nodes<E>()) {
-    const Vector3<T> a = T(0.5) * Vector3<T>((at(1) + at(2)) - (at(0) + at(3))),
-                     b = T(0.5) * Vector3<T>((at(2) + at(3)) - (at(0) + at(1))), n = cross(a, b);
-    return columns<T>(a, b, T(rsqrt(dot(n, n))) * n);
+    if constexpr (E::nodes == 3) {
+      const Vector3<T> a = at(1) - at(0), b = at(2) - at(0), n = cross(a, b);
+      return columns<T>(a, b, T(rsqrt(dot(n, n))) * n);
+    } else {
+      const Vector3<T> a = T(0.5) * Vector3<T>((at(1) + at(2)) - (at(0) + at(3))),
+                       b = T(0.5) * Vector3<T>((at(2) + at(3)) - (at(0) + at(1))), n = cross(a, b);
+      return columns<T>(a, b, T(rsqrt(dot(n, n))) * n);
+    }
   } else {
     static_assert(E::nodes == 4,
                   "strike: the geometric strain is known of elements with 8 or 4 nodes: limit this Part by .volume or "

@@ -7,11 +7,13 @@
 namespace strike {
 
 /// Shape of the cells of an element, which has corners as many and in the order as those of a Mesh.
-enum class CellShape { hexahedron, tetrahedron, quadrilateral };
+enum class CellShape { hexahedron, tetrahedron, quadrilateral, triangle };
 
 namespace detail {
 
-constexpr std::size_t corner_count(CellShape shape) { return shape == CellShape::hexahedron ? 8 : 4; }
+constexpr std::size_t corner_count(CellShape shape) {
+  return shape == CellShape::hexahedron ? 8 : shape == CellShape::triangle ? 3 : 4;
+}
 
 /// The element tells the shape of its cells.
 template <class E>

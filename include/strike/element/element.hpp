@@ -105,7 +105,7 @@ struct PointVisitor {
 /// Laws (tests/conformance): the gradient operator is dV/dx; it reproduces linear fields on any distorted shape; a
 /// rigid motion gives no force; forces and their moments sum to zero; hourglass control does no work on linear fields
 /// and creates no energy; in a step without time, dt = 0, no work is done. Models: Hex8, Hex8Full, Tet4, Plate4,
-/// MassScaled. Their policies: strike/element/policies.hpp.
+/// Plate3, MassScaled. Their policies: strike/element/policies.hpp.
 template <class E, class M = Elastic>
 concept Element = std::same_as<typename E::Kinematics, typename M::Kinematics> &&
                   requires(const E e, typename E::template State<M, double> state, const M m,

@@ -7,42 +7,13 @@
 #include <strike/element/plate4_resistance.hpp>
 #include <strike/element/plate_hourglass.hpp>
 #include <strike/element/plate_physical.hpp>
+#include <strike/element/plate_point.hpp>
+#include <strike/element/plate_thickness.hpp>
 #include <strike/element/plate_warping.hpp>
 #include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 
 namespace strike {
-
-/// Constant thickness.
-struct ConstantThickness {
-  template <class T>
-  struct State {};
-
-  template <class T>
-  T relative(const State<T>&) const {
-    return T(1.0);
-  }
-  template <class T>
-  void advance(State<T>&, const T&, double) const {}
-};
-
-/// Thickness that follows the strain across the plate, h' = h d_zz.
-struct ThicknessChange {
-  template <class T>
-  struct State {
-    T relative{1.0};  ///< h/h0
-  };
-
-  template <class T>
-  T relative(const State<T>& state) const {
-    return state.relative;
-  }
-  template <class T>
-  void advance(State<T>& state, const T& normal_rate, double dt) const {
-    const T half = (0.5 * dt) * normal_rate;
-    state.relative *= (1.0 + half) / (1.0 - half);
-  }
-};
 
 /// The four-node Mindlin plate of Belytschko, Lin and Tsay (1984) with one point in its plane and three rotations at a
 /// node, written in its own modes. Strain is measured in the middle of the step, so that a rotation strains nothing;
@@ -142,7 +113,7 @@ struct Plate4 {
     const T h = material.thickness() * thickness.relative(state.thickness);
     const PlateKinematics::Rate<T> given{rate.membrane, rate.curvature, rate.shear,
                                          thickness.relative(state.thickness)};
-    const PlateKinematics::Stress<T> before = remembered(material, state.material, given.relative_thickness);
+    const PlateKinematics::Stress<T> before = detail::remembered(material, state.material, given.relative_thickness);
     [[maybe_unused]] LinearResultants<T> linear;
     PlateKinematics::Stress<T> stress;
     if constexpr (physical)
@@ -154,7 +125,7 @@ struct Plate4 {
 
     Response<T, 8> response;
     response.volume = select(dot(old_normal, frame.normal) > 0.0, A, -A);
-    response.internal_work = 0.5 * dt * (T(A - dA) * power(before, rate) + A * power(stress, rate));
+    response.internal_work = 0.5 * dt * (T(A - dA) * detail::power(before, rate) + A * detail::power(stress, rate));
     response.bulk_viscosity_work = T(0.0);
     response.hourglass_work = T(0.0);
 
@@ -284,15 +255,7 @@ struct Plate4 {
   /// rotations limits the step (after Hughes, Cohen and Haroun 1978).
   template <class Section, class T>
   static T per_gyration(const Section& material, const T& inverse_area) {
-    return min(T(density_of(material) / material.rotary_inertia()), 8.0 * inverse_area);
-  }
-
-  template <class Section, class S, class T>
-  static PlateKinematics::Stress<T> remembered(const Section& material, const S& state, const T& relative_thickness) {
-    if constexpr (requires { material.stress(state, relative_thickness); })
-      return material.stress(state, relative_thickness);
-    else
-      return material.stress(state);
+    return detail::mass_per_gyration(material, T(8.0 * inverse_area));
   }
 
   template <class T>
@@ -348,31 +311,16 @@ struct Plate4 {
     return measure;
   }
 
-  /// N : membrane + M : curvature + Q . shear.
-  template <class T>
-  static T power(const PlateKinematics::Stress<T>& stress, const PlateKinematics::Rate<T>& rate) {
-    return double_dot(stress.force, rate.membrane) + double_dot(stress.moment, rate.curvature) +
-           stress.shear(0) * rate.shear(0) + stress.shear(1) * rate.shear(1);
-  }
-
-  /// Advances the resistance R by k q dt and returns the work done against the mean of R before and after.
-  template <class T>
-  static T resist(T& R, const T& k, const T& q, double dt) {
-    const T change = k * (dt * q);
-    const T work = (R + 0.5 * change) * (dt * q);
-    R += change;
-    return work;
-  }
   /// Advances the resistance to all hourglass modes, ...
   template <class T>
   static T resist(PlateHourglassModes<T>& R, const PlateHourglassStiffness<T>& stiffness,
                   const PlateHourglassModes<T>& rates, double dt) {
     T work = T(0.0);
     for (int i = 0; i < 2; ++i) {
-      work += resist(R.membrane(i), stiffness.membrane, rates.membrane(i), dt);
-      work += resist(R.bending(i), stiffness.bending, rates.bending(i), dt);
+      work += detail::resist(R.membrane(i), stiffness.membrane, rates.membrane(i), dt);
+      work += detail::resist(R.bending(i), stiffness.bending, rates.bending(i), dt);
     }
-    return work + resist(R.shear, stiffness.shear, rates.shear, dt);
+    return work + detail::resist(R.shear, stiffness.shear, rates.shear, dt);
   }
   /// ... and to the drilling, of which each mode has a quarter of the nodes' stiffness; adds R to the moment on it.
   template <class T>
@@ -381,7 +329,7 @@ struct Plate4 {
     const T k = 0.25 * stiffness;
     T work = T(0.0);
     const auto advance = [&](T Plate4Drilling<T>::*mode) {
-      work += resist(R.*mode, k, rates.*mode, dt);
+      work += detail::resist(R.*mode, k, rates.*mode, dt);
       moment.*mode += R.*mode;
     };
     using Modes = Plate4Drilling<T>;

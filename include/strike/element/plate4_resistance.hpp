@@ -1,5 +1,6 @@
 #pragma once
 #include <strike/element/plate4_modes.hpp>
+#include <strike/element/plate_point.hpp>
 #include <strike/element/policies.hpp>
 
 namespace strike {
@@ -47,8 +48,10 @@ struct Plate4Resistance : Warping {
       across += 0.125 * (dot(c_xi, w.eta) + dot(c_eta, w.xi)) - 0.25 * dot<T>(c_h, q(0) * w.eta + q(1) * w.xi);
 
     const T& A = frame.area;
-    const PlaneTensor<T> N = A * frame.turned(stress(section.extension, e) + stress(section.coupling, k)),
-                         M = A * frame.turned(stress(section.coupling, e) + stress(section.bending, k));
+    const PlaneTensor<T> N = A * frame.turned(detail::plane_stress_of(section.extension, e) +
+                                              detail::plane_stress_of(section.coupling, k)),
+                         M = A * frame.turned(detail::plane_stress_of(section.coupling, e) +
+                                              detail::plane_stress_of(section.bending, k));
     const Vector2<T> Q = frame.turned(A * section.transverse_shear * g(0), A * section.transverse_shear * g(1));
     const Vector3<T> e1 = frame.e1(), e2 = frame.e2();
     const Vector2<T> a = frame.in_plane(h_u), b = frame.in_plane(h_w);
@@ -74,11 +77,6 @@ struct Plate4Resistance : Warping {
     Nodal<T, 8> f;
     to_plate_nodes(F, f), to_plate_nodes(G, f, 4);
     return f;
-  }
-
- private:
-  static PlaneTensor<T> stress(const PlaneModuli<T>& k, const PlaneTensor<T>& e) {
-    return PlaneTensor<T>::isotropic((k.normal - 2.0 * k.shear) * trace(e)) + T(2.0 * k.shear) * e;
   }
 };
 

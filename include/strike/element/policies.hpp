@@ -187,7 +187,7 @@ concept PlateThickness = requires(const P thickness, typename P::template State<
 /// 1. `State<T>` with `resistance`, a Plate4Drilling<T>.
 /// 2. `stiffness(in_plane_shear, area)`: of each node, from A66 of the section [force/length] and the area [moment].
 /// Laws: the stiffness is not negative.
-/// Models: DrillingStiffness; FreeDrilling is the absence of one.
+/// Models: DrillingStiffness; FreeDrilling is the absence of one. Plate3 asks for the stiffness alone.
 template <class D>
 concept PlateDrilling = std::same_as<D, FreeDrilling> ||
                         requires(const D drilling, typename D::template State<double> state, const double x) {

@@ -19,6 +19,7 @@ struct PartCells {
   Cells<8> hexahedra = {};
   Cells<4> tetrahedra = {};
   Cells<4> quadrilaterals = {};
+  Cells<3> triangles = {};
 
   /// Numbers of their nodes, in ascending order.
   std::vector<Index> nodes() const {
@@ -26,7 +27,7 @@ struct PartCells {
     const auto add = [&](const auto& cells) {
       for (const auto& cell : cells) all.insert(all.end(), cell.begin(), cell.end());
     };
-    add(hexahedra), add(tetrahedra), add(quadrilaterals);
+    add(hexahedra), add(tetrahedra), add(quadrilaterals), add(triangles);
     return detail::ascending(std::move(all));
   }
 };
@@ -38,8 +39,8 @@ struct NamedSet {
   std::vector<Index> members = {};  ///< in ascending order
 };
 
-/// The mesh of a file, in the file's units. Cells are numbered hexahedra first, then tetrahedra, then quadrilaterals.
-/// Parts and sets are found by name, or by their number in the file.
+/// The mesh of a file, in the file's units. Cells are numbered hexahedra first, then tetrahedra, then quadrilaterals,
+/// then triangles. Parts and sets are found by name, or by their number in the file.
 struct Deck {
   std::string title = {};
   Mesh mesh = {};
@@ -84,14 +85,17 @@ struct Deck {
   /// The cells with these numbers in the mesh, all counted together.
   PartCells cells(std::span<const Index> numbers) const {
     PartCells chosen;
-    const std::size_t tetrahedra = mesh.hexahedra.size(), quadrilaterals = tetrahedra + mesh.tetrahedra.size();
+    const std::size_t tetrahedra = mesh.hexahedra.size(), quadrilaterals = tetrahedra + mesh.tetrahedra.size(),
+                      triangles = quadrilaterals + mesh.quadrilaterals.size();
     for (const Index e : numbers)
       if (e < tetrahedra)
         chosen.hexahedra.push_back(mesh.hexahedra[e]);
       else if (e < quadrilaterals)
         chosen.tetrahedra.push_back(mesh.tetrahedra[e - tetrahedra]);
+      else if (e < triangles)
+        chosen.quadrilaterals.push_back(mesh.quadrilaterals[e - quadrilaterals]);
       else
-        chosen.quadrilaterals.push_back(mesh.quadrilaterals.at(e - quadrilaterals));
+        chosen.triangles.push_back(mesh.triangles.at(e - triangles));
     return chosen;
   }
 

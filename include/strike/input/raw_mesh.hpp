@@ -296,11 +296,10 @@ inline Finished finished(RawMesh raw, const Source& source) {
     auto& c = cell.corners;
     if (cell.shape == Shape::hexahedron && different == 4 && folds_to_tetrahedron(c))
       cell.shape = Shape::tetrahedron;
-    else if (cell.shape == Shape::triangle && different == 3)
-      c[3] = c[2], cell.shape = Shape::quadrilateral;
-    else if (cell.shape == Shape::quadrilateral && different == 3 && c[0] != c[2] && c[1] != c[3])
+    else if (cell.shape == Shape::quadrilateral && different == 3 && c[0] != c[2] && c[1] != c[3]) {
       while (c[2] != c[3]) std::rotate(c.begin(), c.begin() + 1, c.begin() + 4);
-    else if (cell.shape == Shape::wedge && different == 6)
+      cell.shape = Shape::triangle;
+    } else if (cell.shape == Shape::wedge && different == 6)
       c = wedge_cell<Index>({c[0], c[1], c[2], c[3], c[4], c[5]}), cell.shape = Shape::hexahedron;
     else if (cell.shape == Shape::pyramid && different == 5)
       c = pyramid_cell<Index>({c[0], c[1], c[2], c[3], c[4]}), cell.shape = Shape::hexahedron;
@@ -326,8 +325,9 @@ inline Finished finished(RawMesh raw, const Source& source) {
   std::size_t marks = 0;
   for (std::size_t e = 0; e < cells.size(); ++e) {
     const auto first = cells[e].corners.begin();
+    const auto corners = static_cast<std::ptrdiff_t>(corner_count(cells[e].shape));
     cells[e].is_mark =
-        raw.elements[e].marks_solids && std::all_of(first, first + 4, [&](Index n) { return used[n] != 0; });
+        raw.elements[e].marks_solids && std::all_of(first, first + corners, [&](Index n) { return used[n] != 0; });
     marks += cells[e].is_mark;
   }
   mark_used(false);
@@ -363,6 +363,7 @@ inline Finished finished(RawMesh raw, const Source& source) {
   add(deck.mesh.hexahedra, Shape::hexahedron);
   add(deck.mesh.tetrahedra, Shape::tetrahedron);
   add(deck.mesh.quadrilaterals, Shape::quadrilateral);
+  add(deck.mesh.triangles, Shape::triangle);
 
   numbers.clear();
   for (const RawMesh::Element& element : raw.elements) numbers.push_back(element.number);

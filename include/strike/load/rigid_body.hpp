@@ -144,15 +144,16 @@ class RigidBody {
   RigidBody(const Mesh& mesh, double density, double thickness, Guides... guides) : guides_(std::move(guides)...) {
     std::vector<double> nodal(mesh.nodes.size(), 0.0);
     own_ = inertia(mesh, density, thickness, nodal);
-    cells_ = {{}, mesh.hexahedra, mesh.tetrahedra, mesh.quadrilaterals};
+    cells_ = {{}, mesh.hexahedra, mesh.tetrahedra, mesh.quadrilaterals, mesh.triangles};
     PartFaces solids{.cells = mesh.hexahedra.size() + mesh.tetrahedra.size()};
     detail::append_faces(solids.faces, mesh.hexahedra, detail::hexahedron_faces, 0);
     detail::append_faces(solids.faces, mesh.tetrahedra, detail::tetrahedron_faces, mesh.hexahedra.size());
     if (solids.cells > 0) outside_.push_back(std::move(solids));
-    if (!mesh.quadrilaterals.empty())
-      outside_.push_back({.cells = mesh.quadrilaterals.size(),
-                          .faces = quadrilateral_surface(mesh.quadrilaterals),
-                          .thickness = thickness});
+    const auto add_plates = [&](std::vector<Face> plates) {
+      const std::size_t count = plates.size();
+      if (count > 0) outside_.push_back({.cells = count, .faces = std::move(plates), .thickness = thickness});
+    };
+    add_plates(quadrilateral_surface(mesh.quadrilaterals)), add_plates(triangle_surface(mesh.triangles));
     for (std::size_t i = 0; i < nodal.size(); ++i)
       if (nodal[i] > 0) nodes_.push_back(static_cast<Index>(i)), masses_.push_back(nodal[i]);
   }

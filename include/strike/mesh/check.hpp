@@ -58,8 +58,8 @@ inline void check_particles(std::span<const Eigen::Vector3d> nodes, const Partic
 /// does not exist, or one twice, but for a quadrilateral that is a triangle and a hexahedron that is a wedge or a
 /// pyramid (strike/mesh/degenerate.hpp); a hexahedron or tetrahedron that is flat
 /// or inside out at a corner; a hexahedron twisted by 60 degrees or more; a quadrilateral that is crossed, concave or
-/// without area; a particle without volume; a node that belongs to no cell. A run checks the cells of its parts by the
-/// same laws.
+/// without area; a triangle without area; a particle without volume; a node that belongs to no cell. A run checks the
+/// cells of its parts by the same laws.
 inline void check(const Mesh& mesh) {
   const std::span<const Eigen::Vector3d> nodes = mesh.nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
@@ -69,6 +69,7 @@ inline void check(const Mesh& mesh) {
   detail::check_cells<CellShape::hexahedron>(nodes, mesh.hexahedra);
   detail::check_cells<CellShape::tetrahedron>(nodes, mesh.tetrahedra);
   detail::check_cells<CellShape::quadrilateral>(nodes, mesh.quadrilaterals);
+  detail::check_cells<CellShape::triangle>(nodes, mesh.triangles);
   detail::check_particles(nodes, mesh.particles);
 
   const std::vector<Index> orphans = orphan_nodes(mesh);

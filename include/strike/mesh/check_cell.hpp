@@ -173,6 +173,19 @@ struct CellLaws<CellShape::quadrilateral> {
   }
 };
 
+template <>
+struct CellLaws<CellShape::triangle> {
+  static constexpr const char *name = "triangle", *fault = "flat", *order = "give it corners that are not in one line.",
+                              *corners = "give it 3 different corners.";
+
+  static bool names_right(const std::array<Index, 3>& cell) { return all_differ(cell); }
+  /// As of a quadrilateral.
+  static void each_corner(const std::array<Index, 3>&, const CellCorners<3>& x, const auto& f) {
+    const Eigen::Vector3d area = cross<double>(x[1] - x[0], x[2] - x[0]);
+    for (std::size_t i = 0; i < 3; ++i) f(CornerJacobian<double>(x[(i + 1) % 3] - x[i], x[(i + 2) % 3] - x[i], area));
+  }
+};
+
 /// 1 if all corners of a cell have a scaled Jacobian larger than `least` and it is not twisted, otherwise 0.
 template <CellShape shape, class T, std::size_t N>
 T is_well_shaped(const std::array<Index, N>& cell, const CellCorners<N, T>& x, double least = flat) {
@@ -209,7 +222,7 @@ template <CellShape shape, std::size_t N>
   if (wrong) {
     std::string where, volume;
     if constexpr (shape != CellShape::tetrahedron) where = " at corner " + std::to_string(corner);
-    if constexpr (shape != CellShape::quadrilateral) volume = joined({" (volume ", text(Laws::volume(x)), ")"});
+    if constexpr (requires { Laws::volume(x); }) volume = joined({" (volume ", text(Laws::volume(x)), ")"});
     return joined({"is ", Laws::fault, where, volume, "; ", Laws::order});
   }
   std::string twisted;

@@ -42,9 +42,10 @@ struct Inertia {
   }
 };
 
-/// Inertia of the cells of a mesh, of this density and, of plates, thickness: exact for trilinear hexahedra, tetrahedra
-/// and bilinear plates (Gauss points). Adds the masses of the nodes, shares of their cells with the same sum and the
-/// same centre, to `nodal`. Errors: no cells; plates without a thickness; a density that is not positive.
+/// Inertia of the cells of a mesh, of this density and, of plates, thickness: exact for trilinear hexahedra,
+/// tetrahedra, triangles and bilinear plates (Gauss points). Adds the masses of the nodes, shares of their cells with
+/// the same sum and the same centre, to `nodal`. Errors: no cells; plates without a thickness; a density that is not
+/// positive.
 inline Inertia inertia(const Mesh& mesh, double density, double thickness, std::vector<double>& nodal);
 inline Inertia inertia(const Mesh& mesh, double density, double thickness = 0) {
   std::vector<double> nodal(mesh.nodes.size(), 0.0);
@@ -74,7 +75,7 @@ inline Inertia inertia(const Mesh& mesh, double density, double thickness, std::
     throw Error(joined({"strike: ", what, " of a rigid body is ", text(value), "; give it ", remedy, "."}));
   };
   if (!(density > 0 && density < 1e300)) refuse("the density", density, "one above 0");
-  if (!mesh.quadrilaterals.empty() && !(thickness > 0 && thickness < 1e300))
+  if (!(mesh.quadrilaterals.empty() && mesh.triangles.empty()) && !(thickness > 0 && thickness < 1e300))
     refuse("the thickness of the plates", thickness, "one above 0");
   Inertia sum;
   const auto X = [&](Index i) -> const Eigen::Vector3d& { return mesh.nodes[i]; };
@@ -111,6 +112,13 @@ inline Inertia inertia(const Mesh& mesh, double density, double thickness, std::
       add_piece(sum, nodal, cell, 0.25 * density * volume, x, N);
     }
   }
+  const auto add_plate = [&](const auto& cell, const Eigen::Vector3d& area, double weight_of, const Eigen::Vector3d& x,
+                             const auto& shares) {
+    const double m = density * thickness * area.norm() * weight_of;
+    add_piece(sum, nodal, cell, m, x, shares);
+    if (m > 0)  // a line of the length t along the normal has t^2/12 about axes across it
+      sum.moment += (m * thickness * thickness / 12) * Inertia::about(area.normalized());
+  };
   for (const auto& cell : mesh.quadrilaterals)
     for (std::size_t p = 0; p < 9; ++p) {
       const double r = at[p % 3], s = at[p / 3];
@@ -122,11 +130,14 @@ inline Inertia inertia(const Mesh& mesh, double density, double thickness, std::
         x += N[k] * X(cell[k]);
         along_r += 0.5 * corner[k][0] * fs * X(cell[k]), along_s += 0.5 * corner[k][1] * fr * X(cell[k]);
       }
-      const Eigen::Vector3d area = cross(along_r, along_s);
-      const double m = density * thickness * area.norm() * weight[p % 3] * weight[p / 3];
-      add_piece(sum, nodal, cell, m, x, N);
-      if (m > 0)  // a line of the length t along the normal has t^2/12 about axes across it
-        sum.moment += (m * thickness * thickness / 12) * Inertia::about(area.normalized());
+      add_plate(cell, Eigen::Vector3d(cross(along_r, along_s)), weight[p % 3] * weight[p / 3], x, N);
+    }
+  for (const auto& cell : mesh.triangles)  // the middles of the edges: degree two
+    for (std::size_t p = 0; p < 3; ++p) {
+      std::array<double, 3> N{0.5, 0.5, 0.5};
+      N[p] = 0;
+      const Eigen::Vector3d x = 0.5 * (X(cell[(p + 1) % 3]) + X(cell[(p + 2) % 3]));
+      add_plate(cell, area_vector(mesh.nodes, Face{{cell[0], cell[1], cell[2], cell[2]}, 0}), 1.0 / 3, x, N);
     }
   if (!(sum.mass > 0)) throw Error("strike: a rigid body has no hexahedra, tetrahedra or plates; give it cells.");
   return sum;

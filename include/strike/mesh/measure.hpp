@@ -46,6 +46,11 @@ inline double quadrilateral_area(std::span<const Eigen::Vector3d> nodes, const s
   return area_vector(nodes, Face{cell, 0}).norm();
 }
 
+/// Area of a triangle [length^2].
+inline double triangle_area(std::span<const Eigen::Vector3d> nodes, const std::array<Index, 3>& cell) {
+  return area_vector(nodes, Face{{cell[0], cell[1], cell[2], cell[2]}, 0}).norm();
+}
+
 /// Volume of all hexahedra, tetrahedra and particles of a mesh [length^3].
 inline double volume(const Mesh& mesh) {
   double sum = 0;

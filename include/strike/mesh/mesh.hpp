@@ -30,14 +30,15 @@ struct Particles {
 };
 
 /// Nodes and the elements between them. Corners of a hexahedron: 0-3 around the bottom, 4-7 above them, right-handed;
-/// of a tetrahedron: 3 above the counter-clockwise 0-1-2; of a quadrilateral: around it. Hexahedra may be degenerate:
-/// wedges a b c c d e f f and pyramids a b c d e e e e (strike/mesh/degenerate.hpp). Where all cells are counted
-/// together, hexahedra come first, then tetrahedra, then quadrilaterals, then particles.
+/// of a tetrahedron: 3 above the counter-clockwise 0-1-2; of a quadrilateral or a triangle: around it. Hexahedra may be
+/// degenerate: wedges a b c c d e f f and pyramids a b c d e e e e (strike/mesh/degenerate.hpp). Where all cells are
+/// counted together, hexahedra come first, then tetrahedra, then quadrilaterals, then triangles, then particles.
 struct Mesh {
   std::vector<Eigen::Vector3d> nodes;  ///< reference positions [length]
   Cells<8> hexahedra = {};
   Cells<4> tetrahedra = {};
   Cells<4> quadrilaterals = {};
+  Cells<3> triangles = {};
   Particles particles = {};
 };
 

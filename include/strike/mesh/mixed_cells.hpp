@@ -21,13 +21,15 @@ struct SortedCells {
 };
 
 /// The mesh of a list of cells of all kinds, told apart by the nodes that they name, counted from 0: eight are a
-/// hexahedron (a wedge or pyramid repeats corners), four a quadrilateral, and five of which the last repeats the first
-/// a tetrahedron (the input of X3D). A quadrilateral that names two neighbouring corners alike is a triangle. Cells of
+/// hexahedron (a wedge or pyramid repeats corners), four a quadrilateral, three a
+/// triangle, and five of which the last repeats the first
+/// a tetrahedron (the input of X3D). A quadrilateral may name two neighbouring corners
+/// alike and stays one. Cells of
 /// a kind keep their order. Errors: any other list of nodes; a node that is not there.
 inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<const std::vector<Index>> cells) {
   SortedCells sorted{{.nodes = std::move(nodes)}, {}};
   Mesh& mesh = sorted.mesh;
-  std::vector<Index> hexahedra, tetrahedra, quadrilaterals;
+  std::vector<Index> hexahedra, tetrahedra, quadrilaterals, triangles;
   for (std::size_t e = 0; e < cells.size(); ++e) {
     const std::vector<Index>& cell = cells[e];
     const auto refuse = [&](const std::string& why) {
@@ -66,13 +68,17 @@ inline SortedCells sorted_by_kind(std::vector<Eigen::Vector3d> nodes, std::span<
       if (alike > 1 || cell[0] == cell[2] || cell[1] == cell[3])
         refuse("is a quadrilateral of fewer than three corners; give it three or four different ones in order.");
       mesh.quadrilaterals.push_back(corners(std::array<Index, 4>{})), quadrilaterals.push_back(number);
+    } else if (cell.size() == 3) {
+      refuse_repeated(3, "triangle", "give it three different corners.");
+      mesh.triangles.push_back(corners(std::array<Index, 3>{})), triangles.push_back(number);
     } else {
-      refuse(detail::joined(
-          {"names ", std::to_string(cell.size()),
-           " nodes; give eight of a hexahedron, five of a tetrahedron (a b c d a) or four of a quadrilateral."}));
+      refuse(detail::joined({"names ", std::to_string(cell.size()),
+                             " nodes; give eight of a hexahedron, five of a tetrahedron (a b c d a), four of a "
+                             "quadrilateral or three of a "
+                             "triangle."}));
     }
   }
-  for (const auto* kind : {&hexahedra, &tetrahedra, &quadrilaterals})
+  for (const auto* kind : {&hexahedra, &tetrahedra, &quadrilaterals, &triangles})
     sorted.number.insert(sorted.number.end(), kind->begin(), kind->end());
   return sorted;
 }

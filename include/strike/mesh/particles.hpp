@@ -199,7 +199,7 @@ inline Mesh particles(const BoxShape& shape) {
   return detail::sharing(std::move(nodes), std::cbrt(volume / (double(nx) * ny * nz)), volume);
 }
 
-/// Particles inside hexahedra and tetrahedra, or if there are none inside closed surfaces of quadrilaterals. They lie
+/// Particles inside hexahedra and tetrahedra, or if there are none inside closed surfaces of plates. They lie
 /// half a spacing [length] from the planes x = 0, y = 0 and z = 0, so that what these planes cut off a body takes its
 /// own particles away and no others. A point belongs to the body if a vertical line through it leaves the body above it
 /// once more than it enters; faces of four corners are cut along their first diagonal. Places are told apart to 2^-16
@@ -210,7 +210,8 @@ inline Mesh particles(const Mesh& body, double spacing) {
   RangeCheck("particles", "")("spacing", spacing, range::positive, "it is a length");
   const bool is_solid = !body.hexahedra.empty() || !body.tetrahedra.empty();
   Mesh solid{.nodes = body.nodes, .hexahedra = body.hexahedra, .tetrahedra = body.tetrahedra};
-  const std::vector<Face> skin = is_solid ? surface(solid) : quadrilateral_surface(body.quadrilaterals);
+  const Mesh plates{.nodes = {}, .quadrilaterals = body.quadrilaterals, .triangles = body.triangles};
+  const std::vector<Face> skin = surface(is_solid ? solid : plates);
   if (skin.empty()) throw Error("strike: a mesh without cells has no inside to fill with particles; build it first.");
   const ClosedSurface closed(body.nodes, skin, spacing);
   const int outwards = closed.volume() < 0 ? -1 : 1;

@@ -37,7 +37,7 @@ inline Mesh remaining(Mesh mesh, const std::vector<bool>& alive) {
     return flags;
   };
   const auto keep = [&](auto& cells) { cells = remaining(cells, next(cells.size())); };
-  keep(mesh.hexahedra), keep(mesh.tetrahedra), keep(mesh.quadrilaterals);
+  keep(mesh.hexahedra), keep(mesh.tetrahedra), keep(mesh.quadrilaterals), keep(mesh.triangles);
   const std::vector<bool> left = next(mesh.particles.size());
   mesh.particles = {remaining(mesh.particles.cells, left), remaining(mesh.particles.volumes, left)};
   return mesh;

@@ -139,16 +139,29 @@ inline std::vector<Face> quadrilateral_surface(const Cells<4>& cells) {
   return faces;
 }
 
-/// Outer faces of all cells of a mesh; `Face::cell` counts hexahedra first, then tetrahedra, then quadrilaterals.
-/// Error: a face shared by three cells.
+/// Triangles as faces, which face the side from which their corners run counter-clockwise.
+inline std::vector<Face> triangle_surface(const Cells<3>& cells) {
+  std::vector<Face> faces;
+  for (std::size_t e = 0; e < cells.size(); ++e) {
+    const auto& [a, b, c] = cells[e];
+    faces.push_back({{a, b, c, c}, static_cast<Index>(e)});
+  }
+  return faces;
+}
+
+/// Outer faces of all cells of a mesh; `Face::cell` counts hexahedra first, then tetrahedra, then quadrilaterals, then
+/// triangles. Error: a face shared by three cells.
 inline std::vector<Face> surface(const Mesh& mesh) {
   std::vector<Face> faces;
   detail::append_faces(faces, mesh.hexahedra, detail::hexahedron_faces, 0);
   detail::append_faces(faces, mesh.tetrahedra, detail::tetrahedron_faces, mesh.hexahedra.size());
   faces = detail::unshared(faces);
-  const std::size_t solids = mesh.hexahedra.size() + mesh.tetrahedra.size();
-  for (std::size_t e = 0; e < mesh.quadrilaterals.size(); ++e)
-    faces.push_back({mesh.quadrilaterals[e], static_cast<Index>(solids + e)});
+  std::size_t first = mesh.hexahedra.size() + mesh.tetrahedra.size();
+  const auto add = [&](const std::vector<Face>& plates) {
+    for (const Face& plate : plates) faces.push_back({plate.nodes, static_cast<Index>(first + plate.cell)});
+    first += plates.size();
+  };
+  add(quadrilateral_surface(mesh.quadrilaterals)), add(triangle_surface(mesh.triangles));
   return faces;
 }
 

@@ -56,7 +56,7 @@ inline Mesh scaled(Mesh mesh, const Eigen::Vector3d& factor) {
 }
 
 /// The mirror image in the plane through the origin with the given normal. Corners are reordered so that volumes stay
-/// positive, and quadrilaterals face the side that they faced. Error: a normal that is zero or not finite.
+/// positive, and plates face the side that they faced. Error: a normal that is zero or not finite.
 inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
   using namespace detail;
   RangeCheck("mirrored", "")("normal", normal, range::direction);
@@ -65,6 +65,7 @@ inline Mesh mirrored(Mesh mesh, const Eigen::Vector3d& normal) {
   for (auto& c : mesh.hexahedra) c = {c[0], c[3], c[2], c[1], c[4], c[7], c[6], c[5]};
   for (auto& c : mesh.tetrahedra) c = {c[0], c[2], c[1], c[3]};
   for (auto& c : mesh.quadrilaterals) c = {c[0], c[3], c[2], c[1]};
+  for (auto& c : mesh.triangles) c = {c[0], c[2], c[1]};
   return mesh;
 }
 
@@ -83,6 +84,7 @@ inline Index append(Mesh& mesh, const Mesh& other) {
   add(mesh.hexahedra, other.hexahedra);
   add(mesh.tetrahedra, other.tetrahedra);
   add(mesh.quadrilaterals, other.quadrilaterals);
+  add(mesh.triangles, other.triangles);
   add(mesh.particles.cells, other.particles.cells);
   const auto volumes = other.particles.volumes;
   mesh.particles.volumes.insert(mesh.particles.volumes.end(), volumes.begin(), volumes.end());
@@ -102,6 +104,7 @@ inline Mesh renumbered(Mesh mesh, std::span<const Index> number, std::vector<Eig
   renumber(mesh.hexahedra);
   renumber(mesh.tetrahedra);
   renumber(mesh.quadrilaterals);
+  renumber(mesh.triangles);
   renumber(mesh.particles.cells);
   mesh.nodes = std::move(nodes);
   return mesh;
@@ -169,6 +172,7 @@ inline std::vector<Index> orphan_nodes(const Mesh& mesh) {
   mark(mesh.hexahedra);
   mark(mesh.tetrahedra);
   mark(mesh.quadrilaterals);
+  mark(mesh.triangles);
   mark(mesh.particles);
   std::vector<Index> orphans;
   for (Index node = 0; node < used.size(); ++node)
@@ -193,8 +197,9 @@ inline Mesh remove_orphan_nodes(Mesh mesh) {
   return detail::renumbered(std::move(mesh), number, std::move(kept));
 }
 
-/// Hexahedra swept along z by the quadrilaterals of a plan (counter-clockwise seen from +z), one layer between each two
-/// levels [length], layer after layer. Errors: fewer than two levels; levels that do not rise.
+/// Hexahedra swept along z by the quadrilaterals of a plan (counter-clockwise seen from +z), and behind them in each
+/// layer wedges by its triangles, one layer between each two levels [length], layer after layer. Errors: fewer than two
+/// levels; levels that do not rise.
 inline Mesh extruded(const Mesh& plan, std::span<const double> levels) {
   if (levels.size() < 2) throw Error("strike: a plan is extruded between at least two levels; give two or more.");
   for (std::size_t i = 0; i < levels.size(); ++i)
@@ -205,11 +210,14 @@ inline Mesh extruded(const Mesh& plan, std::span<const double> levels) {
   for (const double z : levels)
     for (const Eigen::Vector3d& x : plan.nodes) mesh.nodes.emplace_back(x[0], x[1], x[2] + z);
   const auto stride = static_cast<Index>(plan.nodes.size());
-  for (Index layer = 0; layer + 1 < levels.size(); ++layer)
-    for (const auto& [a, b, c, d] : plan.quadrilaterals) {
-      const Index foot = layer * stride, head = foot + stride;
+  for (Index layer = 0; layer + 1 < levels.size(); ++layer) {
+    const Index foot = layer * stride, head = foot + stride;
+    const auto sweep = [&](Index a, Index b, Index c, Index d) {
       mesh.hexahedra.push_back({foot + a, foot + b, foot + c, foot + d, head + a, head + b, head + c, head + d});
-    }
+    };
+    for (const auto& [a, b, c, d] : plan.quadrilaterals) sweep(a, b, c, d);
+    for (const auto& [a, b, c] : plan.triangles) sweep(a, b, c, c);
+  }
   return mesh;
 }
 

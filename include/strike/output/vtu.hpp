@@ -139,11 +139,12 @@ class VtuCells {
     else
       add(cell, kind(8, true));
   }
-  /// The cells of a mesh: hexahedra, tetrahedra, quadrilaterals, particles.
+  /// The cells of a mesh: hexahedra, tetrahedra, quadrilaterals, triangles, particles.
   void add(const Mesh& mesh) {
     for (const auto& cell : mesh.hexahedra) add_hexahedron(cell);
     for (const auto& cell : mesh.tetrahedra) add(cell, kind(4, true));
     for (const auto& cell : mesh.quadrilaterals) add(cell, kind(4, false));
+    for (const auto& cell : mesh.triangles) add(cell, kind(3, false));
     for (const auto& cell : mesh.particles) add(cell, kind(1, false));
   }
   template <class Cell>
@@ -227,11 +228,11 @@ class VtuCells {
 }  // namespace detail
 
 /// Writes one VTU file (VTK unstructured grid, XML, inline base64) as ParaView reads it: nodes at `positions`, the
-/// cells of the mesh (hexahedra, of which degenerate ones are wedges and pyramids, tetrahedra, quadrilaterals, then
-/// particles), fields by node and by cell in the same order. Fields of 3 components are vectors, of 6 symmetric tensors
-/// xx yy zz xy yz zx, of 9 tensors by rows. The file appears whole or not at all. Errors: numbers of rows that do not
-/// fit; a cell with a node that is not there; a field without a name, or two of the same; a file that cannot be
-/// written.
+/// cells of the mesh (hexahedra, of which degenerate ones are wedges and pyramids, tetrahedra, quadrilaterals,
+/// triangles, then particles), fields by node and by cell in the same order. Fields of 3 components are vectors, of 6
+/// symmetric tensors xx yy zz xy yz zx, of 9 tensors by rows. The file appears whole or not at all. Errors: numbers of
+/// rows that do not fit; a cell with a node that is not there; a field without a name, or two of the same; a file that
+/// cannot be written.
 [[gnu::cold]] inline void write_vtu(const std::string& path, double time, const Mesh& mesh, const Rows& positions,
                                     const std::vector<Field>& node_fields = {},
                                     const std::vector<Field>& cell_fields = {}) {
@@ -278,7 +279,8 @@ void write_vtu(const std::string& path, const Run& run) {
   run.each_body([&](const auto& rigid) {
     const Mesh& mesh = rigid.cells();
     cells.add(mesh);
-    const std::size_t all = parts.size() + mesh.hexahedra.size() + mesh.tetrahedra.size() + mesh.quadrilaterals.size();
+    const std::size_t all = parts.size() + mesh.hexahedra.size() + mesh.tetrahedra.size() + mesh.quadrilaterals.size() +
+                            mesh.triangles.size();
     parts.resize(all, body++), stresses.resize(all), plastic_strains.resize(all);
   });
   const std::vector<Eigen::Vector3d> positions = run.positions(), velocities = run.velocities();

@@ -212,8 +212,9 @@ template <class E, class M>
 DistortedElement judged(const E& element, const M& material, const Nodal<double, E::nodes>& x,
                         const SweepOptions& options = {}) {
   DistortedElement result{1, 0};
-  if constexpr (E::nodes == 8 || E::nodes == 4) {
+  if constexpr (E::nodes == 8 || E::nodes == 4 || E::nodes == 3) {
     constexpr CellShape shape = E::nodes == 8      ? CellShape::hexahedron
+                                : E::nodes == 3    ? CellShape::triangle
                                 : turns_nodes<E>() ? CellShape::quadrilateral
                                                    : CellShape::tetrahedron;
     std::array<Index, E::nodes> cell;

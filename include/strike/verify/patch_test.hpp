@@ -69,12 +69,22 @@ inline PatchMesh<4> quadrilaterals_patch() {
   return quadrilaterals_patch(inner);
 }
 
+/// Ten triangles: the same quadrilaterals, each cut along its first diagonal.
+inline PatchMesh<3> triangles_patch() {
+  const PatchMesh<4> whole = quadrilaterals_patch();
+  PatchMesh<3> patch{whole.nodes, {}, whole.first_inner};
+  for (const auto& [a, b, c, d] : whole.cells) patch.cells.push_back({a, b, c}), patch.cells.push_back({a, c, d});
+  return patch;
+}
+
 /// The patch that belongs to an element, as unit_corners do.
 template <class E>
 PatchMesh<E::nodes> unit_patch() {
   unit_corners<E>();
   if constexpr (E::nodes == 8)
     return hexahedra_patch();
+  else if constexpr (E::nodes == 3)
+    return triangles_patch();
   else if constexpr (turns_nodes<E>())
     return quadrilaterals_patch();
   else

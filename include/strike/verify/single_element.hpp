@@ -321,6 +321,15 @@ inline Nodal<double, 8> unit_cube() {
 /// Corners of the square [0, 1]^2 in the plane z = 0.
 inline Nodal<double, 4> unit_square() { return unit_cube().leftCols<4>(); }
 
+/// Corners of the triangle with two unit edges along x and y.
+inline Nodal<double, 3> unit_triangle() {
+  Nodal<double, 3> x;
+  x << 0, 1, 0,  //
+      0, 0, 1,   //
+      0, 0, 0;
+  return x;
+}
+
 /// Corners of the tetrahedron with three unit edges along the axes.
 inline Nodal<double, 4> unit_tetrahedron() {
   Nodal<double, 4> x;
@@ -334,10 +343,12 @@ inline Nodal<double, 4> unit_tetrahedron() {
 template <class E>
 Nodal<double, E::nodes> unit_corners() {
   constexpr bool plate = std::same_as<typename E::Kinematics, PlateKinematics>;
-  static_assert(E::nodes == 4 || (E::nodes == 8 && !plate),
+  static_assert(E::nodes == 4 || (E::nodes == 8 && !plate) || (E::nodes == 3 && plate),
                 "strike: the undistorted shape of this element is not known: give its corners.");
   if constexpr (E::nodes == 8)
     return unit_cube();
+  else if constexpr (E::nodes == 3)
+    return unit_triangle();
   else if constexpr (plate)
     return unit_square();
   else

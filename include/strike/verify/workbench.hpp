@@ -144,8 +144,8 @@ class Workbench {
     });
   }
 
-  /// All studies of a hexahedron, tetrahedron or quadrilateral plate that stands at the undistorted `corners`: modes,
-  /// steps, patch tests, rotation, and distortions until it fails.
+  /// All studies of a hexahedron, tetrahedron, quadrilateral or triangular plate that stands at the undistorted
+  /// `corners`: modes, steps, patch tests, rotation, and distortions until it fails.
   template <class E, class M>
   void element(const std::string& name, const E& element, const M& material,
                const Nodal<double, E::nodes>& corners = unit_corners<E>(), const SweepOptions& options = {},
@@ -226,7 +226,9 @@ class Workbench {
   template <class E>
   static std::vector<Distortion> distortions_of() {
     using namespace distortions;
-    if constexpr (E::nodes == 4 && !turns_nodes<E>())
+    if constexpr (E::nodes == 3)
+      return {skew};
+    else if constexpr (E::nodes == 4 && !turns_nodes<E>())
       return {skew, twist, flatten};
     else
       return {skew, taper, twist, dent};
@@ -309,6 +311,8 @@ class Workbench {
     std::vector<Face> all;
     if constexpr (E::nodes == 8)
       detail::append_faces<8>(all, {{0, 1, 2, 3, 4, 5, 6, 7}}, detail::hexahedron_faces, 0);
+    else if constexpr (E::nodes == 3)
+      all = triangle_surface({{0, 1, 2}});
     else if constexpr (turns_nodes<E>())
       all.push_back({{0, 1, 2, 3}, 0});
     else
