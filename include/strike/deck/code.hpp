@@ -9,6 +9,7 @@
 
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/hex8.hpp>
+#include <strike/element/plate3.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
@@ -90,5 +91,6 @@ inline std::string code_of(const Tet4<>& element) {
   return code_of_element("Tet4", element.pressure, NodalPressure{}, element.bulk_viscosity);
 }
 inline std::string code_of(const Plate4<>&) { return "Plate4{}"; }
+inline std::string code_of(const Plate3<>&) { return "Plate3{}"; }
 
 }  // namespace strike::detail

@@ -221,7 +221,7 @@ class FromDyna {
   template <class M, class Removal>
   void add_plates(const NamedSet& part, const PartCells& cells, const PartCard& card, const M& material,
                   const Removal& removal) {
-    if (cells.quadrilaterals.empty()) return;
+    if (cells.quadrilaterals.empty() && cells.triangles.empty()) return;
     const SectionCard* const section = numbered(deck_.sections, card.section);
     if (!section || !(section->thickness > 0)) {
       cannot({name_of(part), " has no thickness: its shells are left out."});
@@ -238,8 +238,11 @@ class FromDyna {
         cannot({name_of(part), ": the nodes lie in the middle of the shells, NLOC is left out."});
       const PlaneStress plane{material};
       const std::string code = joined({"Homogeneous{", code_of(plane), ", ", code_of(section->thickness), "}"});
-      place(part, Plate4{}, Homogeneous{plane, section->thickness}, code, cells.quadrilaterals, "quadrilaterals",
-            removal);
+      if (!cells.quadrilaterals.empty())
+        place(part, Plate4{}, Homogeneous{plane, section->thickness}, code, cells.quadrilaterals, "quadrilaterals",
+              removal);
+      if (!cells.triangles.empty())
+        place(part, Plate3{}, Homogeneous{plane, section->thickness}, code, cells.triangles, "triangles", removal);
     } else {
       cannot({name_of(part), ": no plates here are of its material: they are left out."});
     }
@@ -250,7 +253,7 @@ class FromDyna {
              const Cells& cells, const char* kind, const Removal& removal) {
     using Made = PartOf<E, M, Removal>;
     if constexpr (std::is_constructible_v<DeckPart, std::in_place_type_t<Made>, Made>) {
-      owners_.push_back(part.number);
+      owners_.push_back({part.number});
       made_.parts.push_back({Made{element, material, cells, removal}, variable_of(part), code_of(element),
                              code_of_material, cells_of(part, kind),
                              std::is_same_v<Removal, NoErosion> ? "" : "Erosion{}"});
@@ -281,6 +284,7 @@ class FromDyna {
     const RigidMaterial* const material = rigid(part.number);
     if (!material || lead_of(part.number) != part.number) return;
     std::vector<FileNumber> members;
+    std::array<std::vector<FileNumber>, 3> outsides;  // the parts whose solids, quadrilaterals and triangles it shows
     double thickness = 0;
     std::string numbers;
     for (const NamedSet& other : deck_.parts) {
@@ -293,20 +297,25 @@ class FromDyna {
         cannot(
             {name_of(other), ": the density is that of part ", std::to_string(part.number), ", with which it moves."});
       const SectionCard* const section = numbered(deck_.sections, card_of(other)->section);
-      if (!cells.quadrilaterals.empty() && section) thickness = section->thickness;
-      if (!cells.hexahedra.empty() || !cells.tetrahedra.empty()) owners_.push_back(other.number);
-      if (!cells.quadrilaterals.empty()) owners_.push_back(other.number);
+      const bool has_plates = !cells.quadrilaterals.empty() || !cells.triangles.empty();
+      if (has_plates && section) thickness = section->thickness;
+      for (const auto& [has, of] : {std::pair{!cells.hexahedra.empty() || !cells.tetrahedra.empty(), 0},
+                                    {!cells.quadrilaterals.empty(), 1},
+                                    {!cells.triangles.empty(), 2}})
+        if (has) outsides[static_cast<std::size_t>(of)].push_back(other.number);
     }
+    for (std::vector<FileNumber>& parts : outsides)
+      if (!parts.empty()) owners_.push_back(std::move(parts));
     const Mesh mesh = deck_.cells_of(members);
     if (numbered_inertia(part.number))
       cannot({name_of(part), ": mass and inertia are those of its cells, not of *PART_INERTIA."});
     std::string code = joined({"RigidBody{deck.cells_of({", numbers, "}), ", code_of(material->density)});
-    if (!mesh.quadrilaterals.empty()) code += ", " + code_of(thickness);
+    if (!mesh.quadrilaterals.empty() || !mesh.triangles.empty()) code += ", " + code_of(thickness);
     add_guided(part.number, HeldBody{material->directions(), material->axes()}, code, [&](const auto&... guides) {
       return RigidBody{mesh, material->density, thickness, guides...};
     });
     becomes({name_of(part), ": a rigid body of ", std::to_string(mesh.hexahedra.size() + mesh.tetrahedra.size()),
-             " solids and ", std::to_string(mesh.quadrilaterals.size()), " plates"});
+             " solids and ", std::to_string(mesh.quadrilaterals.size() + mesh.triangles.size()), " plates"});
   }
   const InertiaCard* numbered_inertia(FileNumber part) const {
     for (const InertiaCard& card : deck_.inertias)
@@ -448,9 +457,11 @@ class FromDyna {
   /// The places of the parts of a side, rigid bodies behind the others.
   std::vector<std::size_t> places_of(const ContactSide& side) const {
     std::vector<std::size_t> places;
+    const auto is_named = [&](FileNumber part) {
+      return side.parts.empty() || std::find(side.parts.begin(), side.parts.end(), part) != side.parts.end();
+    };
     for (std::size_t i = 0; i < owners_.size(); ++i)
-      if (side.parts.empty() || std::find(side.parts.begin(), side.parts.end(), owners_[i]) != side.parts.end())
-        places.push_back(i);
+      if (std::any_of(owners_[i].begin(), owners_[i].end(), is_named)) places.push_back(i);
     return places;
   }
   /// FS, or FD where the friction falls with the speed.
@@ -506,7 +517,8 @@ class FromDyna {
 
   const DynaDeck& deck_;
   DeckScene made_;
-  std::vector<FileNumber> owners_;  // of each part of the scene, the part of the deck
+  std::vector<std::vector<FileNumber>>
+      owners_;  // of each part of the scene, then of each outside of a body: of the deck
 };
 
 }  // namespace detail

@@ -18,6 +18,7 @@
 #include <strike/dynamics/scene.hpp>
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/hex8.hpp>
+#include <strike/element/plate3.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
 #include <strike/input/dyna_load_cards.hpp>
@@ -65,7 +66,8 @@ using DeckPart = AnyPart<
     PartOf<Tet4<>, Elastic>, PartOf<Tet4<>, DeckMetal>, PartOf<Tet4<>, DeckFailingMetal, Erosion>,
     PartOf<Plate4<>, DeckSection<Elastic>>, PartOf<Plate4<>, DeckSection<DeckMetal>>,
     PartOf<Plate4<>, DeckSection<DeckFailingMetal>, Erosion>, PartOf<Plate4<>, DeckSection<DeckCurve>>,
-    PartOf<Plate4<>, DeckSection<DeckFailingCurve>, Erosion>>;
+    PartOf<Plate4<>, DeckSection<DeckFailingCurve>, Erosion>, PartOf<Plate3<>, DeckSection<Elastic>>,
+    PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>>;
 
 using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;

@@ -68,7 +68,7 @@ struct Deck {
     for (const FileNumber number : numbers) {
       const PartCells cells = part(number);
       add(all.hexahedra, cells.hexahedra), add(all.tetrahedra, cells.tetrahedra);
-      add(all.quadrilaterals, cells.quadrilaterals);
+      add(all.quadrilaterals, cells.quadrilaterals), add(all.triangles, cells.triangles);
     }
     return all;
   }

@@ -106,9 +106,18 @@ class Lookup {
       faces.insert(faces.end(), more.begin(), more.end());
       return;
     }
-    for (const Index cell : cells_of(choice))
-      faces.push_back(deck_.mesh.quadrilaterals[cell - (deck_.cell_numbers.size() - deck_.mesh.quadrilaterals.size())]);
+    for (const Index cell : cells_of(choice)) {
+      const std::size_t plate = cell - solids(), quadrilaterals = deck_.mesh.quadrilaterals.size();
+      if (plate < quadrilaterals) {
+        faces.push_back(deck_.mesh.quadrilaterals[plate]);
+      } else {
+        const auto& [a, b, c] = deck_.mesh.triangles[plate - quadrilaterals];
+        faces.push_back({a, b, c, c});
+      }
+    }
   }
+  /// Number of the solids, which stand before the shells.
+  std::size_t solids() const { return deck_.mesh.hexahedra.size() + deck_.mesh.tetrahedra.size(); }
   /// The places in the mesh of a shell or a solid, or of a set of them.
   std::vector<Index> cells_of(const Choice& choice) const {
     const bool solid = choice.named == Named::solid || choice.named == Named::solid_set;
@@ -121,7 +130,7 @@ class Lookup {
       mesh_.allowance.take(4 * members.size(), choice.line);
       return members;
     }
-    const auto plates = static_cast<std::ptrdiff_t>(deck_.cell_numbers.size() - deck_.mesh.quadrilaterals.size());
+    const auto plates = static_cast<std::ptrdiff_t>(solids());
     const auto begin = deck_.cell_numbers.begin();
     if (solid && !solids_) solids_ = Numbering({begin, begin + plates});
     if (!solid && !shells_) shells_ = Numbering({begin + plates, deck_.cell_numbers.end()});
