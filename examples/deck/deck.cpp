@@ -3,6 +3,7 @@
 //   bash examples/run deck file=../../examples/read_deck/taylor_bar.k
 //   bash examples/run deck file=my.k program=my.cpp     writes the program and does not run
 //   bash examples/run deck file=my.k anyway=yes         runs although something of the deck is left out
+//   bash examples/run deck file=my.k end=1e-3           ends there
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -35,6 +36,8 @@ void draw(const Run& run, const std::string& title, const std::string& path) {
     const std::vector<double> strain = remaining(part.field(PlasticStrain{}), part.alive());
     if constexpr (Part::n == 8)
       picture.add(hexahedron_surface(cells), x, strain);
+    else if constexpr (Part::n == 3)
+      picture.add(triangle_surface(cells), x, strain, Sides::both);
     else if constexpr (is_flat<typename Part::Element>)
       picture.add(quadrilateral_surface(cells), x, strain, Sides::both);
     else
@@ -75,11 +78,13 @@ int main(int count, char** arguments) {
   return examples::run(count, arguments, [](examples::Options& options) {
     const std::string file = options.text("file", "../../examples/read_deck/taylor_bar.k");
     const std::string program = options.text("program", "");
+    const double end = options.number("end", 0);
     const bool anyway = options.choice("anyway", {"no", "yes"}) == "yes";
     options.check();
 
     const std::string name = std::filesystem::path(file).stem().string();
-    const DeckScene scene = deck_scene(read_dyna(file, {.leave_out_elements = true}));
+    DeckScene scene = deck_scene(read_dyna(file, {.leave_out_elements = true}));
+    if (end > 0) scene.end = end;
     print("The deck becomes", scene.becomes);
     print("Something else stands for", scene.replaced);
     print("Left out, so that the answer would be another one", scene.cannot);

@@ -51,6 +51,8 @@ struct FreeRotation {
 
 }  // namespace
 
+static_assert(std::is_same_v<decltype(RigidBody{Mesh{}, 2, 1}), RigidBody<>>);  // a thickness, not a guide
+
 TEST_CASE("rigid body: a free one of three inertias keeps L to the bit and its energy to 1e-10 over 1e4 turns") {
   const Inertia own = inertia(brick, 12);
   RigidMotion body({}, {}, own);

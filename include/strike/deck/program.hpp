@@ -19,8 +19,8 @@ namespace detail {
 class DeckProgram {
  public:
   DeckProgram(const DeckScene& scene, const std::string& deck, const std::string& name) {
-    add({"// ", scene.title.empty() ? std::string_view("The scene of a deck") : scene.title, ": the scene of ", deck,
-         ", in its units."});
+    add_comment(joined({scene.title.empty() ? std::string_view("The scene of a deck") : scene.title, ": the scene of ",
+                        deck, ", in its units."}));
     for (const auto* sentences : {&scene.replaced, &scene.cannot})
       for (const std::string& sentence : *sentences) add_comment(sentence);
     add(
@@ -87,7 +87,8 @@ class DeckProgram {
   void add_wrapped(std::initializer_list<std::string_view> parts, std::size_t indent) {
     std::string rest = joined(parts);
     while (rest.size() > width) {
-      const std::size_t comma = rest.rfind(", ", width - 2);
+      std::size_t comma = rest.rfind("}, ", width - 3);  // rather behind a piece than within it
+      comma = comma == rest.npos || comma < width / 2 ? rest.rfind(", ", width - 2) : comma + 1;
       if (comma == rest.npos || comma < indent + 1) break;
       add({std::string_view(rest).substr(0, comma + 1)});
       rest = std::string(indent, ' ') + rest.substr(comma + 2);

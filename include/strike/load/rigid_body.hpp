@@ -157,7 +157,9 @@ class RigidBody {
     for (std::size_t i = 0; i < nodal.size(); ++i)
       if (nodal[i] > 0) nodes_.push_back(static_cast<Index>(i)), masses_.push_back(nodal[i]);
   }
-  RigidBody(const Mesh& mesh, double density, Guides... guides) : RigidBody(mesh, density, 0.0, std::move(guides)...) {}
+  RigidBody(const Mesh& mesh, double density, Guides... guides)
+    requires(!(std::is_arithmetic_v<Guides> || ...))
+      : RigidBody(mesh, density, 0.0, std::move(guides)...) {}
 
   void ranges(const auto& number) const {
     number(own_);
@@ -403,8 +405,9 @@ class RigidBody {
 
 template <class... Guides>
 RigidBody(std::vector<Index>, Inertia, Guides...) -> RigidBody<Guides...>;
-template <class... Guides>
-RigidBody(Mesh, double, double, Guides...) -> RigidBody<Guides...>;
+template <class Thickness, class... Guides>
+  requires std::is_arithmetic_v<Thickness>
+RigidBody(Mesh, double, Thickness, Guides...) -> RigidBody<Guides...>;
 template <class... Guides>
   requires(!(std::is_arithmetic_v<Guides> || ...))
 RigidBody(Mesh, double, Guides...) -> RigidBody<Guides...>;
