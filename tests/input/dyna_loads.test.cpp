@@ -45,7 +45,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("dyna loads: a history is linear in its life and nothing beside it; its integral is exact") {
+TEST_CASE("dyna loads: a history is linear in its life and nothing beside it, its integral is exact") {
   // 0 before 1; then 2 at s = 0 to 4 at s = 1, a jump to 10 there, 6 at s = 2 and beyond, s = t - 1; dead from 5 on
   const CardHistory h{7, 2, 1, 5, {{0, 1}, {1, 2}, {1, 5}, {2, 3}}};
   CHECK(h(0.999) == 0);

@@ -132,7 +132,7 @@ class Explicit<Method, Items...> : public detail::IllFormedRun<sizeof...(Items)>
   using Checked = std::conditional_t<
       Scene<Items...>::sound,
       detail::CheckedItem<Item, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>, Item*>;
-  static_assert(detail::every_kind<Items...>([]<class Kind>() { return sizeof(Checked<Kind>) > 0; }));
+  static_assert((sizeof(Checked<Items>) + ... + 0) > 0);
 
  public:
   explicit Explicit(const auto&...) {}

@@ -132,6 +132,12 @@ struct CheckedItem {
                 "strike: the history of a load is called with the time and returns a number: write [](double t) { "
                 "return ...; }, a Curve or Constant{value}.");
 };
+template <class Item, class N>
+struct CheckedItem<std::vector<Item>, N> : CheckedItem<Item, N> {};
+template <class... Items, class N>
+struct CheckedItem<std::variant<Items...>, N> {
+  static_assert((sizeof(CheckedItem<Items, N>) + ... + 0) > 0);
+};
 /// The scene can run with the method. Nothing is reported here, where the compiler only chooses.
 template <class Method, class... Items>
 inline constexpr bool can_run = false;
