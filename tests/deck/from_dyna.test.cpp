@@ -119,9 +119,18 @@ TEST_CASE("deck: what asks for another element, and what has none, is told") {
 6,.1
 *CONTROL_BULK_VISCOSITY
 1.2,.1
+*CONTROL_SHELL
+20,0,0,1
+*MAT_ADD_EROSION
+1
+,,,,.3
 *LOAD_HEAT_GENERATION_SET
 1,1
 )");
+  CHECK(has(scene.cannot, "ISTUPD"));
+  CHECK(has(scene.cannot, "Part 1, lower cube: *MAT_ADD_EROSION of a material that does not flow"));
+  CHECK(has(scene.replaced, "SHRF"));
+  CHECK(has(scene.replaced, "hourglass control of Plate4"));
   CHECK(has(scene.cannot, "The deck has no end"));
   CHECK(has(scene.cannot, "Part 2, 2nd has no material that is known here"));
   CHECK(has(scene.cannot, "*LOAD_HEAT_GENERATION_SET"));

@@ -40,6 +40,11 @@ class FromDyna {
     for (std::size_t i = 0; i < deck.rigid_bodies.size(); ++i) add_body(i);
     for (const auto& extra : deck.extra_nodes)
       cannot({"The extra nodes of rigid part ", std::to_string(extra.part), " do not move with it."});
+    if (!deck.blasts.empty()) cannot({"*LOAD_BLAST: no blast is applied."});
+    for (const PartCard& card : deck.part_cards)
+      if (card.contact) cannot({"The card of *PART_CONTACT of part ", std::to_string(card.number), " is left out."});
+    if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
+    if (deck.contact_stiffness != 0.1) replaced({"SLSFAC: the springs of contacts are as stiff as the step allows."});
     if (!deck.detonations.empty()) cannot({"*INITIAL_DETONATION: nothing detonates."});
     if (!deck.shells.empty())
       cannot({"The values of ", std::to_string(deck.shells.size()),
@@ -173,6 +178,10 @@ class FromDyna {
   void add_part(const NamedSet& part, const PartCells& cells, const PartCard& card, const MaterialCard& material,
                 const Law& law) {
     if constexpr (std::is_same_v<Law, RigidMaterial>) return;
+    if constexpr (std::is_same_v<Law, Elastic> || std::is_same_v<Law, NullMaterial>)
+      if (std::any_of(deck_.erosions.begin(), deck_.erosions.end(),
+                      [&](const ErosionCard& erosion) { return erosion.material == card.material; }))
+        cannot({name_of(part), ": *MAT_ADD_EROSION of a material that does not flow is left out."});
     const bool fits = with_material(part.number, law, [&](const auto& m, const auto& removal) {
       add_solids(part, cells, card, m, removal);
       add_plates(part, cells, card, m, removal);
@@ -231,6 +240,11 @@ class FromDyna {
       if (section->points != 5)
         replaced({name_of(part), ": five points over the thickness by Simpson's rule stand for NIP ",
                   std::to_string(section->points), "."});
+      if (std::abs(section->shear_factor - 5.0 / 6) > 1e-3)
+        replaced(
+            {name_of(part), ": the transverse shear factor 5/6 stands for SHRF ", code_of(section->shear_factor), "."});
+      if (card.hourglass != 0 || deck_.hourglass_control)
+        replaced({name_of(part), ": the usual hourglass control of Plate4 stands for that of the deck."});
       const auto& t = section->corner_thickness;
       if (std::any_of(t.begin(), t.end(), [&](double corner) { return corner != t[0]; }))
         cannot({name_of(part), ": the thickness is that of the first corner, T1."});
@@ -308,7 +322,7 @@ class FromDyna {
       if (!parts.empty()) owners_.push_back(std::move(parts));
     const Mesh mesh = deck_.cells_of(members);
     if (numbered_inertia(part.number))
-      cannot({name_of(part), ": mass and inertia are those of its cells, not of *PART_INERTIA."});
+      cannot({name_of(part), ": mass, inertia and velocity are those of its cells, not of *PART_INERTIA."});
     std::string code = joined({"RigidBody{deck.cells_of({", numbers, "}), ", code_of(material->density)});
     if (!mesh.quadrilaterals.empty() || !mesh.triangles.empty()) code += ", " + code_of(thickness);
     add_guided(part.number, HeldBody{material->directions(), material->axes()}, code, [&](const auto&... guides) {
