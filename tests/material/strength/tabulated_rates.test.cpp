@@ -125,8 +125,8 @@ TEST_CASE("tabulated rates: in plane stress too every step ends on the table") {
 }
 
 TEST_CASE("tabulated rates: what no table can be is refused in one sentence") {
-  const auto refused = [](const Tests& tests, const std::string& why, Between between = Between::rates) {
-    CHECK_THROWS_WITH((TabulatedRates{G, tests, between}), ContainsSubstring(why));
+  const auto refused = [](const Tests& given, const std::string& why, Between between = Between::rates) {
+    CHECK_THROWS_WITH((TabulatedRates{G, given, between}), ContainsSubstring(why));
   };
   refused({}, "strike: a TabulatedRates has no tests: give it at least one.");
   refused({{1, slow}, {2, {}}}, "strike: a TabulatedHardening, in test 2, has no points");
