@@ -1,5 +1,5 @@
-// What plates of four and of three nodes cost per element with each of its policies, in each scalar: nodal values in
-// registers' reach, without gather and scatter (bench/dynamics/step has the whole step, bench/material/section the
+// The price per element of plates of four and of three nodes with each of their policies, in each scalar: nodal values
+// in registers' reach, without gather and scatter (bench/dynamics/step has the whole step, bench/material/section the
 // section alone).
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-// What the cards of LS-DYNA become as a scene, in sentences and in C++. That scenes and programs give the same bits is
-// seen where examples are built (tests/run examples), for each pair would have to be compiled.
+// Cards of LS-DYNA as a scene, in sentences and in C++. That scenes and programs give the same bits is seen
+// where examples are built (tests/run examples), for each pair would have to be compiled.
 #include <algorithm>
 #include <string>
 #include <variant>

@@ -21,11 +21,12 @@
 #include "support/frame.hpp"
 
 using namespace strike;
+using testing::difference;
 using testing::Frame;
+using testing::Points;
+using testing::positions;
 
 namespace {
-
-using Points = std::vector<Eigen::Vector3d>;
 
 /// 12 mm x 4 mm x 2 mm of copper, one layer of it thick.
 const Mesh bar = box({.size = {12, 4, 2}, .cells = {6, 2, 1}});
@@ -66,18 +67,6 @@ auto struck(const Frame& frame, const Mesh& mesh, const Erosion& erosion, const 
 template <class... Policies>
 auto struck(const Policies&... policies) {
   return struck(Frame{}, bar, Erosion{.strain = 0.05}, policies...);
-}
-
-template <class Run>
-Points positions(const Run& run, const Frame& frame = {}) {
-  Points x;
-  for (const auto& point : run.positions()) x.push_back(frame.back(point));
-  return x;
-}
-double difference(const Points& a, const Points& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
-  return largest;
 }
 
 }  // namespace

@@ -15,7 +15,10 @@
 
 using namespace strike;
 using Catch::Matchers::ContainsSubstring;
+using testing::difference;
 using testing::Frame;
+using testing::Points;
+using testing::positions;
 
 namespace {
 
@@ -59,18 +62,6 @@ auto struck(const Frame& frame, const Mesh& mesh, const Policies&... policies) {
       Scene{placed.nodes, Part{Plate4{}, section, placed.quadrilaterals},
             Part{Plate3{ThicknessChange{}}, section, placed.triangles, Erosion{.strain = 0.12}}, Struck{frame}},
       ExplicitOptions{}, policies...};
-}
-using Points = std::vector<Eigen::Vector3d>;
-template <class Run>
-Points positions(const Run& run, const Frame& frame = {}) {
-  Points x;
-  for (const auto& point : run.positions()) x.push_back(frame.back(point));
-  return x;
-}
-double difference(const Points& a, const Points& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
-  return largest;
 }
 
 }  // namespace

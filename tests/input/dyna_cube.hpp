@@ -3,6 +3,7 @@
 
 #include <strike/input/dyna.hpp>
 
+#include "input/dyna_text.hpp"
 #include "support/catch.hpp"
 
 // A deck of LS-DYNA with one element, to which tests add the cards of its material.
@@ -23,10 +24,9 @@ inline const std::string dyna_cube = R"(*NODE
 cube
 1,1,1,1
 )";
-inline strike::DynaDeck read_cube(const std::string& text) { return strike::read_dyna(dyna_cube + text, "a.k"); }
+inline strike::DynaDeck read_cube(const std::string& text) { return decks::read(dyna_cube + text); }
 /// Its sentence, after the name of the file and the line.
 inline void refuses_cube(const std::string& text, const std::string& sentence) {
   INFO(text);
-  CHECK_THROWS_WITH(read_cube(text), Catch::Matchers::ContainsSubstring("strike: the file 'a.k', line ") &&
-                                         Catch::Matchers::ContainsSubstring(sentence));
+  decks::expect_refused(dyna_cube + text, sentence);
 }

@@ -18,7 +18,10 @@
 #include "support/frame.hpp"
 
 using namespace strike;
+using testing::difference;
 using testing::Frame;
+using testing::Points;
+using testing::positions;
 using namespace strike::shells;
 
 namespace {
@@ -114,18 +117,6 @@ auto struck(const Frame& frame, const Mesh& mesh, const Policies&... policies) {
       Scene{placed.nodes, Part{element, Layered{layer, layer}, placed.quadrilaterals, Erosion{.strain = 0.12}},
             Struck{frame}},
       ExplicitOptions{}, policies...};
-}
-using Points = std::vector<Eigen::Vector3d>;
-template <class Run>
-Points positions(const Run& run, const Frame& frame = {}) {
-  Points x;
-  for (const auto& point : run.positions()) x.push_back(frame.back(point));
-  return x;
-}
-double difference(const Points& a, const Points& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
-  return largest;
 }
 
 }  // namespace

@@ -99,27 +99,27 @@ class FromDyna {
   static std::string cells_of(const NamedSet& part, const char* kind) {
     return joined({"deck.part(", std::to_string(part.number), ").", kind});
   }
-  const PartCard* card_of(const NamedSet& part) const {
-    for (const PartCard& card : deck_.part_cards)
-      if (card.number == part.number) return &card;
-    return nullptr;
-  }
   template <class Entry>
   static const Entry* numbered(const std::vector<Entry>& entries, FileNumber number) {
     for (const Entry& entry : entries)
       if (entry.number == number) return &entry;
     return nullptr;
   }
+  const PartCard* card_of(FileNumber part) const { return numbered(deck_.part_cards, part); }
+  const MaterialCard* material_of(FileNumber part) const {
+    const PartCard* const card = card_of(part);
+    return card ? numbered(deck_.materials, card->material) : nullptr;
+  }
 
   void add_part(const NamedSet& part) {
     const PartCells cells = deck_.part(part.number);
-    const PartCard* const card = card_of(part);
-    const MaterialCard* const material = card ? numbered(deck_.materials, card->material) : nullptr;
+    const MaterialCard* const material = material_of(part.number);
     if (!material) {
       cannot({name_of(part), " has no material that is known here: its elements are left out."});
       return;
     }
-    std::visit([&](const auto& law) { add_part(part, cells, *card, *material, law); }, material->material);
+    std::visit([&](const auto& law) { add_part(part, cells, *card_of(part.number), *material, law); },
+               material->material);
   }
   /// f(the material of a card, the law by which its elements are deleted). False: there is none.
   template <class Card, class F>
@@ -137,7 +137,7 @@ class FromDyna {
   }
   template <class Eos, class Card, class F>
   void with_strength(FileNumber part, const Eos& eos, const Card& m, const F& f) {
-    const FileNumber number = numbered(deck_.part_cards, part)->material;
+    const FileNumber number = card_of(part)->material;
     const auto erosion = std::find_if(deck_.erosions.begin(), deck_.erosions.end(),
                                       [&](const ErosionCard& card) { return card.material == number; });
     const bool erodes = erosion != deck_.erosions.end();
@@ -163,8 +163,7 @@ class FromDyna {
   /// f(the equation of state of a part). False: it has none.
   template <class F>
   bool with_eos(FileNumber part, const F& f) {
-    const PartCard* const card = numbered(deck_.part_cards, part);
-    const EosCard* const eos = numbered(deck_.equations_of_state, card->eos);
+    const EosCard* const eos = numbered(deck_.equations_of_state, card_of(part)->eos);
     if (!eos) return false;
     return std::visit(
         [&]<class Eos>(const Eos&) {
@@ -282,8 +281,7 @@ class FromDyna {
   // Rigid bodies
 
   const RigidMaterial* rigid(FileNumber part) const {
-    const PartCard* const card = numbered(deck_.part_cards, part);
-    const MaterialCard* const material = card ? numbered(deck_.materials, card->material) : nullptr;
+    const MaterialCard* const material = material_of(part);
     return material ? std::get_if<RigidMaterial>(&material->material) : nullptr;
   }
   /// The part with which it moves.
@@ -310,7 +308,7 @@ class FromDyna {
       if (its->density != material->density)
         cannot(
             {name_of(other), ": the density is that of part ", std::to_string(part.number), ", with which it moves."});
-      const SectionCard* const section = numbered(deck_.sections, card_of(other)->section);
+      const SectionCard* const section = numbered(deck_.sections, card_of(other.number)->section);
       const bool has_plates = !cells.quadrilaterals.empty() || !cells.triangles.empty();
       if (has_plates && section) thickness = section->thickness;
       for (const auto& [has, of] : {std::pair{!cells.hexahedra.empty() || !cells.tetrahedra.empty(), 0},
@@ -321,7 +319,8 @@ class FromDyna {
     for (std::vector<FileNumber>& parts : outsides)
       if (!parts.empty()) owners_.push_back(std::move(parts));
     const Mesh mesh = deck_.cells_of(members);
-    if (numbered_inertia(part.number))
+    if (std::any_of(deck_.inertias.begin(), deck_.inertias.end(),
+                    [&](const InertiaCard& card) { return card.part == part.number; }))
       cannot({name_of(part), ": mass, inertia and velocity are those of its cells, not of *PART_INERTIA."});
     std::string code = joined({"RigidBody{deck.cells_of({", numbers, "}), ", code_of(material->density)});
     if (!mesh.quadrilaterals.empty() || !mesh.triangles.empty()) code += ", " + code_of(thickness);
@@ -330,11 +329,6 @@ class FromDyna {
     });
     becomes({name_of(part), ": a rigid body of ", std::to_string(mesh.hexahedra.size() + mesh.tetrahedra.size()),
              " solids and ", std::to_string(mesh.quadrilaterals.size() + mesh.triangles.size()), " plates"});
-  }
-  const InertiaCard* numbered_inertia(FileNumber part) const {
-    for (const InertiaCard& card : deck_.inertias)
-      if (card.part == part) return &card;
-    return nullptr;
   }
   void add_body(std::size_t i) {
     const RigidBodyCard& card = deck_.rigid_bodies[i];

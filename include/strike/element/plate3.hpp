@@ -15,7 +15,7 @@
 namespace strike {
 
 namespace detail {
-/// What the drilling of a triangle remembers: the resistance to it.
+/// The memory of the drilling of a triangle: the resistance to it.
 template <class Drilling, class T>
 struct Plate3DrillingState {
   using type = Plate3Drilling<T>;
@@ -192,7 +192,7 @@ struct Plate3 {
   /// with 1/sqrt(m I) for their coupling and 1/I for bending; that of the transverse shear, which moves nodes across
   /// and turns them alike, is
   ///   w^2 <= A K (L1(S)/m + 1/(3 I)).
-  /// What the shear along the edges has beyond it turns nodes as bending does: by a row B of gamma along the tangents
+  /// The rest of the shear along the edges turns nodes as bending does: by a row B of gamma along the tangents
   /// with B B^T = kappa^2 squares tr C 1, tr C = 16 A^2 tr S/squares, which adds A K L1(S) kappa^2 tr C/I to bending.
   /// The drilling of the nodes, of which the spin of the plane is half a curl, adds k (1/I + 3/4 tr S/m).
   template <class Section, class T>

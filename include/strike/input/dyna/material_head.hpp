@@ -6,7 +6,7 @@
 
 #include <strike/input/dyna/draft.hpp>
 
-// What cards of materials share.
+// Fields and checks that cards of materials share.
 namespace strike::detail::dyna {
 
 /// First fields of every material card.
