@@ -9,9 +9,7 @@
 
 #include <Eigen/Core>
 
-#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/item.hpp>
-#include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/motion/ledger.hpp>
@@ -184,22 +182,27 @@ class TriedNodes {
   Nodes& nodes_;
 };
 
-/// Finds who has made the numbers of a run wrong, when it has to be given up: each item is tried alone.
+/// Finds who has made the numbers of a run wrong, when it has to be given up: each of its items at work is tried alone.
 template <class Nodes, class Items>
 class Culprit {
  public:
-  Culprit(Nodes& nodes, Items& items, const Step& step, double time)
+  Culprit(Nodes& nodes, const Items& items, const Step& step, double time)
       : nodes_(nodes), items_(items), step_(step), time_(time) {}
 
   /// A sentence on a number that is NaN, at the first place on its way through a step; empty: there is none.
   [[gnu::cold]] std::string of_nan() {
-    const std::string of_elements =
-        nodes_.have_positions() ? first([&](auto& item, std::size_t) { return nodes_.fault_of_elements(item); }) : "";
+    const std::string of_elements = nodes_.have_positions() ? first([&](const auto& one) {
+      return one.can->fault_of_elements ? one.can->fault_of_elements(one.item, nodes_) : "";
+    })
+                                                            : "";
     if (of_elements.empty() && !nodes_.have_nan()) return {};
-    std::string found =
-        first([&](auto& item, std::size_t place) { return nodes_.fault_of_condition(item, place, step_); });
+    std::string found = first([&](const auto& one) {
+      return one.can->fault_of_condition ? one.can->fault_of_condition(one.item, nodes_, one.place, step_) : "";
+    });
     if (found.empty() && nodes_.have_positions())
-      found = first([&](auto& item, std::size_t place) { return nodes_.fault_of_load(item, place, time_); });
+      found = first([&](const auto& one) {
+        return one.can->fault_of_load ? one.can->fault_of_load(one.item, nodes_, one.place, time_) : "";
+      });
     if (found.empty()) found = of_elements;
     return found.empty() ? nodes_.fault() : found;
   }
@@ -207,26 +210,22 @@ class Culprit {
   [[gnu::cold]] std::string of_lost_position() { return nodes_.have_positions() ? std::string{} : of_nan(); }
   /// A load that tells another power than that of its forces; empty: there is none.
   [[gnu::cold]] std::string of_power() {
-    return first([&](auto& item, std::size_t place) { return nodes_.fault_of_power(item, place, time_); });
+    return first([&](const auto& one) {
+      return one.can->fault_of_power ? one.can->fault_of_power(one.item, nodes_, one.place, time_) : "";
+    });
   }
 
  private:
-  /// The first sentence f(item, its place) that is not empty.
+  /// The first sentence f(item at work) that is not empty.
   template <class F>
   [[gnu::cold]] std::string first(const F& f) {
-    std::string found;
-    std::size_t place = 0;
-    each_of(items_, [&](auto& item) {
-      each_within(item, [&](auto& one) {
-        if (found.empty()) found = f(one, place);
-      });
-      ++place;
-    });
-    return found;
+    for (const auto& one : items_)
+      if (std::string found = f(one); !found.empty()) return found;
+    return {};
   }
 
   TriedNodes<Nodes> nodes_;
-  Items& items_;
+  const Items& items_;
   const Step& step_;
   double time_;
 };

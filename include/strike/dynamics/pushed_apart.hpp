@@ -15,7 +15,6 @@
 #include <strike/contact/overlap.hpp>
 #include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/arrangement.hpp>
-#include <strike/dynamics/faces_of_part.hpp>
 #include <strike/dynamics/item.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/running_scene.hpp>
@@ -78,7 +77,7 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
       : Running(scene, arrange(scene)), given_(given.items), ways_(given.nodes.size(), Eigen::Vector3d::Zero()) {
     check_masses(this->nodes_);
     this->begin_items();  // conditions take directions from the nodes
-    this->each_part([&](const auto& part) { parts_.push_back(faces_of(part, this->nodes_)); });
+    parts_ = this->part_faces();
   }
 
   /// Those of all items, begun anew where the nodes are. Error: an item that warns of what it does not describe.

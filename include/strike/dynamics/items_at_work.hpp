@@ -1,0 +1,172 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strike/dynamics/item_at_work.hpp>
+#include <strike/dynamics/not_finite.hpp>
+#include <strike/dynamics/part_checks.hpp>
+#include <strike/error.hpp>
+#include <strike/mesh/describe.hpp>
+#include <strike/mesh/part_faces.hpp>
+#include <strike/motion/central_differences.hpp>
+#include <strike/text.hpp>
+
+namespace strike::detail {
+
+/// Error: a node without mass.
+template <class Nodes>
+[[gnu::cold]] void check_masses(const Nodes& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!(nodes.mass(i) > 0))
+      throw Error(joined({"strike: node ", std::to_string(i), " at ", text(nodes.x(i).template cast<double>()),
+                          " has no mass, for it belongs to no element; remove it."}));
+}
+
+/// The nodes of a run in its numbers, and its items, of which it knows what they can do.
+template <class Method, class NodesOfRun>
+class ItemsAtWork {
+ public:
+  using Numbers = typename Method::Numbers;
+  using Nodes = NodesOfRun;
+
+  Eigen::Vector3d momentum() const { return detail::momentum(nodes_); }
+
+  const Nodes& nodes() const { return nodes_; }
+  Nodes& nodes() { return nodes_; }
+  /// By the numbers of the nodes as given.
+  std::vector<Eigen::Vector3d> positions() const {
+    return of_nodes([&](std::size_t i) { return nodes_.x(i); });
+  }
+  std::vector<Eigen::Vector3d> velocities() const {
+    return of_nodes([&](std::size_t i) { return nodes_.v(i); });
+  }
+
+  /// Sentences that the user should read before the results.
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> all;
+    std::size_t clouds = 0;
+    for (const Item& one : listed_) {
+      if (one.can->warning)
+        if (std::string warning = one.can->warning(one.item); !warning.empty()) all.push_back(std::move(warning));
+      clouds += one.can->sees_neighbours;
+    }
+    if (clouds > 1)
+      all.push_back("Particles of different parts do not touch each other; those that shall meet belong in one part.");
+    for (std::string& sentence : stretch_warnings()) all.push_back(std::move(sentence));
+    return all;
+  }
+
+ protected:
+  using Item = ItemAtWork<Method, Nodes>;
+
+  ItemsAtWork(const std::vector<Eigen::Vector3d>& positions, std::vector<Index> order)
+      : nodes_(positions, std::move(order)) {}
+
+  /// The items, in the order of the scene. What is copied or moved is to be listed anew.
+  template <class Listed>
+  void list(Listed& item, std::size_t place) {
+    listed_.push_back({&item, place, &functions_of<Listed, Method, Nodes>});
+  }
+  void list_none() { listed_.clear(); }
+
+  /// Errors: those of the items; a velocity that is not finite.
+  void begin_items() {
+    std::vector<PartFaces> parts;
+    if (std::any_of(listed_.begin(), listed_.end(), [](const Item& one) { return one.can->takes_parts; }))
+      parts = part_faces();
+    for (const Item& one : listed_)
+      if (one.can->add_faces) one.can->add_faces(one.item, parts);
+    for (const Item& one : listed_)
+      if (one.can->begin) one.can->begin(one.item, nodes_, parts);
+    check_start(nodes_);
+    for (const Item& one : listed_)
+      if (one.can->start_body) one.can->start_body(one.item, nodes_);
+  }
+  std::vector<PartFaces> part_faces() const {
+    std::vector<PartFaces> parts;
+    for (const Item& one : listed_)
+      if (one.can->is_part) parts.push_back(one.can->faces(one.item, nodes_));
+    return parts;
+  }
+  /// Makes the rigid bodies, whose nodes get their masses.
+  void add_bodies() {
+    for (const Item& one : listed_)
+      if (one.can->add_body) one.can->add_body(one.item, nodes_);
+  }
+  /// Tells the items which elements the last step has deleted.
+  void remove_deleted() {
+    for (const Item& part : listed_)
+      if (part.can->is_part && part.can->newly_deleted(part.item) > 0) {
+        const std::vector<bool> alive = part.can->alive(part.item);
+        for (const Item& one : listed_)
+          if (one.can->remove) one.can->remove(one.item, part.can->number(part.item), alive);
+      }
+  }
+  /// The internal energy of its parts at rest.
+  double stored_energy() const {
+    double sum = 0;
+    for (const Item& one : listed_)
+      if (one.can->is_part) sum += one.can->stored_energy(one.item);
+    return sum;
+  }
+  /// At most one sentence on numbers of different units, with the number of steps to the end of the run.
+  [[gnu::cold]] void add_unit_slip(std::vector<std::string>& warnings, double steps) const {
+    for (const Item& one : listed_)
+      if (one.can->is_part)
+        if (std::string slip = unit_slip(one.can->number(one.item), one.can->wave_speed(one.item), steps);
+            !slip.empty()) {
+          warnings.push_back(std::move(slip));
+          return;
+        }
+  }
+  [[gnu::cold]] void print(const std::vector<std::string>& warnings) {
+    prints_warnings_ = true;
+    for (const std::string& warning : warnings) std::fprintf(stderr, "strike: warning: %s\n", warning.c_str());
+  }
+  /// Prints those on plates that have stretched in the run, once, if warnings are printed.
+  void print_stretch() {
+    if (!prints_warnings_ || has_told_stretch_) return;
+    const std::vector<std::string> warnings = stretch_warnings();
+    has_told_stretch_ = !warnings.empty();
+    print(warnings);
+  }
+  /// An element of a part with its place, for a message.
+  [[gnu::cold]] std::string describe(const StableStep& stable) const {
+    for (const Item& one : listed_)
+      if (one.can->is_part && one.can->number(one.item) == stable.part)
+        return one.can->describe(one.item, nodes_, stable.element);
+    return {};
+  }
+  auto culprit(const Step& step, double time) { return Culprit(nodes_, listed_, step, time); }
+
+  template <class F>
+  std::vector<Eigen::Vector3d> of_nodes(const F& f) const {
+    std::vector<Eigen::Vector3d> values(nodes_.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(i).template cast<double>();
+    return values;
+  }
+
+  Nodes nodes_;
+  std::vector<Item> listed_;
+
+ private:
+  std::vector<std::string> stretch_warnings() const {
+    std::vector<std::string> all;
+    for (const Item& one : listed_)
+      if (one.can->is_part)
+        if (std::string sentence = one.can->stretch_warning(one.item, nodes_); !sentence.empty())
+          all.push_back(std::move(sentence));
+    return all;
+  }
+
+  bool prints_warnings_ = false, has_told_stretch_ = false;
+};
+
+}  // namespace strike::detail
