@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -46,24 +47,23 @@ struct PushedApart {
 
 namespace detail {
 
-/// The nodes of a scene on the way to where nothing overlaps.
-template <class... Items>
-class OverlapRemoval : RunningScene<Method<>, Items...> {
-  using Running = RunningScene<Method<>, Items...>;
-  using typename Running::Nodes;
-
+/// Moves the nodes of a run to where nothing overlaps, whatever its scene is.
+template <class Nodes>
+class OverlapRemoval {
  public:
-  explicit OverlapRemoval(const Scene<Items...>& scene) : OverlapRemoval(scene, Scene<Items...>(scene)) {}
+  explicit OverlapRemoval(Nodes& nodes) : nodes_(nodes), ways_(nodes.size(), Eigen::Vector3d::Zero()) {}
 
-  /// Positions at which nothing overlaps. Each round takes the overlaps as they lie, and moves their nodes as little as
-  /// may be, sum of m u^2/2, to where none is left along the normals; after a few rounds, to where no contact warns of
-  /// any. Errors: conditions hold both sides of an overlap; some is left after the last round.
-  std::vector<Eigen::Vector3d> positions() {
+  /// find(warns) gives the overlaps as the nodes lie, and whether a contact warns of any. Each round takes them and
+  /// moves their nodes as little as may be, sum of m u^2/2, to where none is left along the normals; after a few
+  /// rounds, to where no contact warns of any. Errors: conditions hold both sides of an overlap; some is left after the
+  /// last round.
+  void move(const std::function<std::vector<Overlap>(bool&)>& find) {
     constexpr int rounds = 100, few = 20;
     std::vector<Overlap> overlaps;
     for (int round = 0; round <= rounds; ++round) {
-      overlaps = find_overlaps();
-      if (overlaps.empty() || (round >= few && !warned_)) return Running::positions();
+      bool warns = false;
+      overlaps = find(warns);
+      if (overlaps.empty() || (round >= few && !warns)) return;
       if (round < rounds) push_apart(overlaps);
     }
     const Overlap& deepest = *std::max_element(overlaps.begin(), overlaps.end(),
@@ -73,37 +73,6 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
   }
 
  private:
-  OverlapRemoval(const Scene<Items...>& given, Scene<Items...> scene)
-      : Running(scene, arrange(scene)), given_(given.items), ways_(given.nodes.size(), Eigen::Vector3d::Zero()) {
-    check_masses(this->nodes_);
-    this->begin_items();  // conditions take directions from the nodes
-    parts_ = this->part_faces();
-  }
-
-  /// Those of all items, begun anew where the nodes are. Error: an item that warns of what it does not describe.
-  std::vector<Overlap> find_overlaps() {
-    std::vector<Overlap> all;
-    warned_ = false;
-    each_item(given_, [&](const auto& item) {
-      if constexpr (requires { item.overlaps(); }) {
-        auto begun = item;
-        call_if_present<item::Begin>(begun, this->nodes_, std::span<const PartFaces>(parts_));
-        const std::vector<Overlap>& overlaps = begun.overlaps();
-        const std::string warning = begun.warning();
-        bool warns = !warning.empty();
-        if constexpr (requires { begun.inside(); }) warns = begun.inside() > 0;  // and not of edges
-        warned_ = warned_ || warns;
-        if (overlaps.empty() && warns)
-          throw Error(
-              joined({"strike: pushed_apart cannot move nodes of a pairing that does not say what they overlap; "
-                      "add pairs to its InitialPenetration. Its warning: ",
-                      warning}));
-        all.insert(all.end(), overlaps.begin(), overlaps.end());
-      }
-    });
-    return all;
-  }
-
   /// Projected Gauss-Seidel over the overlaps, forward and backward in turn, with multipliers J >= 0 [mass length].
   void push_apart(const std::vector<Overlap>& overlaps) {
     constexpr int sweeps = 2000;
@@ -118,8 +87,8 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
         double free = 0, all = 0, apart = 0;
         for (unsigned i = 0; i < overlap.count; ++i) {
           const Index node = overlap.nodes[i];
-          const double w = overlap.weights[i], share = w * w / this->nodes_.mass(node);
-          free += share * this->nodes_.free(node, overlap.normal).dot(overlap.normal), all += share;
+          const double w = overlap.weights[i], share = w * w / nodes_.mass(node);
+          free += share * nodes_.free(node, overlap.normal).dot(overlap.normal), all += share;
           apart += w * overlap.normal.dot(ways_[node]);
         }
         if (!(free > 1e-6 * all))
@@ -130,27 +99,71 @@ class OverlapRemoval : RunningScene<Method<>, Items...> {
         pushed[p] += J, change = std::max(change, std::abs(J) * free);
         for (unsigned i = 0; i < overlap.count; ++i) {
           const Index node = overlap.nodes[i];
-          ways_[node] += (overlap.weights[i] * J / this->nodes_.mass(node)) * this->nodes_.free(node, overlap.normal);
+          ways_[node] += (overlap.weights[i] * J / nodes_.mass(node)) * nodes_.free(node, overlap.normal);
         }
       }
     }
     for (const Overlap& overlap : overlaps)
       for (unsigned i = 0; i < overlap.count; ++i) {
         Eigen::Vector3d& way = ways_[overlap.nodes[i]];
-        this->nodes_.set_position(overlap.nodes[i], this->nodes_.x(overlap.nodes[i]) + way);
+        nodes_.set_position(overlap.nodes[i], nodes_.x(overlap.nodes[i]) + way);
         way.setZero();
       }
   }
 
   std::string text_of(const Overlap& overlap) const {
-    return joined({"node ", std::to_string(overlap.nodes[0]), " at ", text(this->nodes_.x(overlap.nodes[0])), " is ",
+    return joined({"node ", std::to_string(overlap.nodes[0]), " at ", text(nodes_.x(overlap.nodes[0])), " is ",
                    text(overlap.depth), " inside what it may touch"});
   }
 
-  const std::tuple<Items...>& given_;
-  std::vector<PartFaces> parts_;
+  Nodes& nodes_;
   std::vector<Eigen::Vector3d> ways_;  // of all nodes in a round; zero between
-  bool warned_ = false;                // a contact, of what was found last
+};
+
+/// The overlaps that an item finds when it is begun anew where the nodes are. Error: it warns of what it does not
+/// describe.
+template <class Item, class Nodes>
+void add_overlaps(const Item& item, Nodes& nodes, std::span<const PartFaces> parts, std::vector<Overlap>& all,
+                  bool& warned) {
+  if constexpr (requires { item.overlaps(); }) {
+    auto begun = item;
+    call_if_present<item::Begin>(begun, nodes, parts);
+    const std::vector<Overlap>& overlaps = begun.overlaps();
+    const std::string warning = begun.warning();
+    bool warns = !warning.empty();
+    if constexpr (requires { begun.inside(); }) warns = begun.inside() > 0;  // and not of edges
+    warned = warned || warns;
+    if (overlaps.empty() && warns)
+      throw Error(
+          joined({"strike: pushed_apart cannot move nodes of a pairing that does not say what they overlap; "
+                  "add pairs to its InitialPenetration. Its warning: ",
+                  warning}));
+    all.insert(all.end(), overlaps.begin(), overlaps.end());
+  }
+}
+
+/// A scene whose nodes move to where nothing overlaps.
+template <class... Items>
+class MovedApart : RunningScene<Method<>, Items...> {
+  using Running = RunningScene<Method<>, Items...>;
+  using typename Running::Nodes;
+
+ public:
+  explicit MovedApart(const Scene<Items...>& scene) : MovedApart(scene, Scene<Items...>(scene)) {}
+
+  using Running::positions;
+
+ private:
+  MovedApart(const Scene<Items...>& given, Scene<Items...> scene) : Running(scene, arrange(scene)) {
+    check_masses(this->nodes_);
+    this->begin_items();  // conditions take directions from the nodes
+    const std::vector<PartFaces> parts = this->part_faces();
+    OverlapRemoval<Nodes>(this->nodes_).move([&](bool& warns) {
+      std::vector<Overlap> all;
+      each_item(given.items, [&](const auto& item) { add_overlaps(item, this->nodes_, parts, all, warns); });
+      return all;
+    });
+  }
 };
 
 /// Error: a cell of a part that was sound is flat, inside out or twisted now.
@@ -183,7 +196,7 @@ Scene<Items..., PushedApart> pushed_apart(const Scene<Items...>& scene) {
   std::vector<Eigen::Vector3d> moved = scene.nodes;
   PushedApart report;
   if constexpr (Scene<Items...>::sound) {
-    moved = detail::OverlapRemoval<Items...>(scene).positions();
+    moved = detail::MovedApart<Items...>(scene).positions();
     std::vector<double> ways;
     for (std::size_t i = 0; i < moved.size(); ++i) ways.push_back((moved[i] - scene.nodes[i]).norm());
     const auto farthest = std::max_element(ways.begin(), ways.end());
