@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <strike/deck/code.hpp>
+#include <strike/deck/laminate.hpp>
 #include <strike/deck/scene.hpp>
 #include <strike/error.hpp>
 #include <strike/input/dyna_cards.hpp>
@@ -46,11 +47,6 @@ class FromDyna {
     if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
     if (deck.contact_stiffness != 0.1) replaced({"SLSFAC: the springs of contacts are as stiff as the step allows."});
     if (!deck.detonations.empty()) cannot({"*INITIAL_DETONATION: nothing detonates."});
-    if (!deck.shells.empty())
-      cannot({"The values of ", std::to_string(deck.shells.size()),
-              " shells of their own: those of their section count."});
-    for (const auto& composite : deck.composites)
-      cannot({"The layers of *PART_COMPOSITE ", std::to_string(composite.part), " are left out."});
     for (std::size_t i = 0; i < deck.velocities.size(); ++i) add_velocity(i);
     for (std::size_t i = 0; i < deck.supports.size(); ++i) add_support(i);
     for (std::size_t i = 0; i < deck.motions.size(); ++i) add_motion(i);
@@ -114,12 +110,45 @@ class FromDyna {
   void add_part(const NamedSet& part) {
     const PartCells cells = deck_.part(part.number);
     const MaterialCard* const material = material_of(part.number);
+    if (is_laminate(part.number, material)) return add_laminate(part, cells);
     if (!material) {
       cannot({name_of(part), " has no material that is known here: its elements are left out."});
       return;
     }
     std::visit([&](const auto& law) { add_part(part, cells, *card_of(part.number), *material, law); },
                material->material);
+  }
+  bool is_laminate(FileNumber part, const MaterialCard* material) const {
+    return (material && std::holds_alternative<PlyMaterial>(material->material)) ||
+           std::any_of(deck_.composites.begin(), deck_.composites.end(),
+                       [&](const CompositeCard& composite) { return composite.part == part; });
+  }
+  void add_laminate(const NamedSet& part, const PartCells& cells) {
+    const PartCard& card = *card_of(part.number);
+    if (!cells.hexahedra.empty() || !cells.tetrahedra.empty())
+      cannot({name_of(part), ": plies are of plates, its solids are left out."});
+    if (cells.quadrilaterals.empty() && cells.triangles.empty()) return;
+    const LaminateOfPart laminate(deck_, part, cells, card);
+    for (const std::string& sentence : laminate.replaced) replaced({name_of(part), ": ", sentence});
+    for (const std::string& sentence : laminate.cannot) cannot({name_of(part), ": ", sentence});
+    tell_hourglass(part, card);
+    if (!laminate.known) return;
+    for (std::size_t k = 0; k < laminate.plies.size(); ++k) {
+      const std::string name = LaminateOfPart::name_of(laminate.materials[k]);
+      if (std::any_of(made_.materials.begin(), made_.materials.end(), [&](const auto& m) { return m.name == name; }))
+        continue;
+      made_.materials.push_back({name, code_of(laminate.plies[k].material)});
+      becomes({"Material ", std::to_string(laminate.materials[k]), ": ", name, ", ", made_.materials.back().code});
+    }
+    const Layered section{PlyStack{laminate.plies}, Offset{laminate.offset}, FibreDirection{laminate.direction}};
+    if (!cells.quadrilaterals.empty())
+      place(part, Plate4{}, section, laminate.code(), cells.quadrilaterals, "quadrilaterals", Erosion{});
+    if (!cells.triangles.empty())
+      place(part, Plate3{}, section, laminate.code(), cells.triangles, "triangles", Erosion{});
+  }
+  void tell_hourglass(const NamedSet& part, const PartCard& card) {
+    if (card.hourglass != 0 || deck_.hourglass_control)
+      replaced({name_of(part), ": the usual hourglass control of Plate4 stands for that of the deck."});
   }
   /// f(the material of a card, the law by which its elements are deleted). False: there is none.
   template <class Card, class F>
@@ -226,12 +255,25 @@ class FromDyna {
             "tetrahedra", removal);
   }
 
+  /// That of all its plates on their own cards, else T1 of its section.
+  double thickness_of(const NamedSet& part, const SectionCard& section, const PartCells& cells) {
+    const auto own = common_values(deck_, part, cells.quadrilaterals.size() + cells.triangles.size());
+    if (!own) cannot({name_of(part), ": the values of shells of their own differ: those of the section count."});
+    if ((own && own->offset != 0) || section.reference != 0)
+      cannot({name_of(part), ": the nodes lie in the middle of the shells, NLOC and OFFSET are left out."});
+    if (own && own->corner_thickness[0] > 0) return own->corner_thickness[0];
+    const auto& t = section.corner_thickness;
+    if (std::any_of(t.begin(), t.end(), [&](double corner) { return corner != t[0]; }))
+      cannot({name_of(part), ": the thickness is that of the first corner, T1."});
+    return section.thickness;
+  }
   template <class M, class Removal>
   void add_plates(const NamedSet& part, const PartCells& cells, const PartCard& card, const M& material,
                   const Removal& removal) {
     if (cells.quadrilaterals.empty() && cells.triangles.empty()) return;
     const SectionCard* const section = numbered(deck_.sections, card.section);
-    if (!section || !(section->thickness > 0)) {
+    const double thickness = section ? thickness_of(part, *section, cells) : 0;
+    if (!(thickness > 0)) {
       cannot({name_of(part), " has no thickness: its shells are left out."});
       return;
     }
@@ -242,20 +284,13 @@ class FromDyna {
       if (std::abs(section->shear_factor - 5.0 / 6) > 1e-3)
         replaced(
             {name_of(part), ": the transverse shear factor 5/6 stands for SHRF ", code_of(section->shear_factor), "."});
-      if (card.hourglass != 0 || deck_.hourglass_control)
-        replaced({name_of(part), ": the usual hourglass control of Plate4 stands for that of the deck."});
-      const auto& t = section->corner_thickness;
-      if (std::any_of(t.begin(), t.end(), [&](double corner) { return corner != t[0]; }))
-        cannot({name_of(part), ": the thickness is that of the first corner, T1."});
-      if (section->reference != 0)
-        cannot({name_of(part), ": the nodes lie in the middle of the shells, NLOC is left out."});
+      tell_hourglass(part, card);
       const PlaneStress plane{material};
-      const std::string code = joined({"Homogeneous{", code_of(plane), ", ", code_of(section->thickness), "}"});
+      const std::string code = joined({"Homogeneous{", code_of(plane), ", ", code_of(thickness), "}"});
       if (!cells.quadrilaterals.empty())
-        place(part, Plate4{}, Homogeneous{plane, section->thickness}, code, cells.quadrilaterals, "quadrilaterals",
-              removal);
+        place(part, Plate4{}, Homogeneous{plane, thickness}, code, cells.quadrilaterals, "quadrilaterals", removal);
       if (!cells.triangles.empty())
-        place(part, Plate3{}, Homogeneous{plane, section->thickness}, code, cells.triangles, "triangles", removal);
+        place(part, Plate3{}, Homogeneous{plane, thickness}, code, cells.triangles, "triangles", removal);
     } else {
       cannot({name_of(part), ": no plates here are of its material: they are left out."});
     }
@@ -310,7 +345,7 @@ class FromDyna {
             {name_of(other), ": the density is that of part ", std::to_string(part.number), ", with which it moves."});
       const SectionCard* const section = numbered(deck_.sections, card_of(other.number)->section);
       const bool has_plates = !cells.quadrilaterals.empty() || !cells.triangles.empty();
-      if (has_plates && section) thickness = section->thickness;
+      if (has_plates && section) thickness = thickness_of(other, *section, cells);
       for (const auto& [has, of] : {std::pair{!cells.hexahedra.empty() || !cells.tetrahedra.empty(), 0},
                                     {!cells.quadrilaterals.empty(), 1},
                                     {!cells.triangles.empty(), 2}})

@@ -28,6 +28,8 @@ class DeckProgram {
          "strike;\n"});
     add({"int main() try {"});
     add({"  const DynaDeck deck = read_dyna(\"", escaped(deck), "\");"});
+    for (const StatedMaterial& material : scene.materials)
+      add_wrapped({"  const auto ", material.name, " = ", material.code, ";"}, 6);
     std::set<std::string> known;
     for (const StatedPart& part : scene.parts)
       if (known.insert(part.name).second) add_wrapped({"  const auto ", part.name, " = ", part.material, ";"}, 6);

@@ -33,6 +33,7 @@
 #include <strike/material/eos/gruneisen.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/fluid.hpp>
 #include <strike/material/plane_stress.hpp>
@@ -55,6 +56,8 @@ using DeckCurve = Solid<LinearEos, TabulatedHardening>;
 using DeckFailingCurve = Solid<LinearEos, TabulatedHardening, FailureStrain>;
 template <class M>
 using DeckSection = Homogeneous<PlaneStress<M>>;
+using DeckPly = FailingPly<ChangChang>;
+using DeckLaminate = Layered<PlyStack<DeckPly>, Offset, FibreDirection>;
 
 /// A part of a deck.
 using DeckPart = AnyPart<
@@ -67,7 +70,8 @@ using DeckPart = AnyPart<
     PartOf<Plate4<>, DeckSection<Elastic>>, PartOf<Plate4<>, DeckSection<DeckMetal>>,
     PartOf<Plate4<>, DeckSection<DeckFailingMetal>, Erosion>, PartOf<Plate4<>, DeckSection<DeckCurve>>,
     PartOf<Plate4<>, DeckSection<DeckFailingCurve>, Erosion>, PartOf<Plate3<>, DeckSection<Elastic>>,
-    PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>>;
+    PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>,
+    PartOf<Plate4<>, DeckLaminate, Erosion>>;
 
 using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;
@@ -87,11 +91,17 @@ struct StatedPart {
   std::string name, element, material, cells, removal;  ///< of its material, and the code of its pieces
 };
 
+/// A material that several parts, or plies, share, by its name in the program.
+struct StatedMaterial {
+  std::string name, code;
+};
+
 /// The scene that a deck describes, in the deck's units: items in lists, each with the code that makes it from the
 /// deck, and sentences for its user.
 struct DeckScene {
   std::string title;
   std::vector<Eigen::Vector3d> nodes;
+  std::vector<StatedMaterial> materials = {};
   std::vector<StatedPart> parts = {};
   std::vector<Stated<DeckBody>> bodies = {};
   std::vector<Stated<InitialVelocity>> velocities = {};
