@@ -174,15 +174,24 @@ class FromDyna {
       cannot({"Of *MAT_ADD_EROSION of material ", std::to_string(number), " the strain EFFEPS alone counts."});
     const auto with_law = [&](const auto& law) {
       if constexpr (has_plastic_strain<Solid<Eos, std::remove_cvref_t<decltype(law)>>>()) {
-        if (erodes && std::isfinite(erosion->strain))
-          return f(Solid{eos, law, FailureStrain{erosion->strain}}, Erosion{});
+        if (erodes && std::isfinite(erosion->strain)) {
+          FailureStrain limit{erosion->strain};
+          if constexpr (requires { *m.failure; })
+            if (m.failure) limit.failure_strain = std::min(limit.failure_strain, m.failure->failure_strain);
+          if constexpr (requires { m.damage; })
+            if (m.fractures()) cannot({"The damage D1 to D5 of *MAT_JOHNSON_COOK is left out beside EFFEPS."});
+          return f(Solid{eos, law, limit}, Erosion{});
+        }
       } else if (erodes) {
         cannot({"*MAT_ADD_EROSION of material ", std::to_string(number), ", which does not flow, is left out."});
       }
       if constexpr (requires { *m.failure; })
         if (m.failure) return f(Solid{eos, law, *m.failure}, Erosion{});
-      if constexpr (requires { m.damage; })
-        if (m.damage[0] != 0 || m.damage[1] != 0) cannot({"The damage D1 to D5 of *MAT_JOHNSON_COOK is left out."});
+      if constexpr (requires { m.damage; }) {
+        if (m.fractures()) return f(Solid{eos, law, m.fracture()}, Erosion{});
+        if (m.damage != std::array<double, 5>{})
+          cannot({"D3 to D5 of *MAT_JOHNSON_COOK are left out: without D1 and D2 nothing breaks."});
+      }
       f(Solid{eos, law}, NoErosion{});
     };
     if constexpr (requires { *m.rate; })

@@ -35,6 +35,7 @@
 #include <strike/material/eos/polynomial.hpp>
 #include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
+#include <strike/material/failure/johnson_cook_failure.hpp>
 #include <strike/material/fluid.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
@@ -71,7 +72,8 @@ using DeckPart = AnyPart<
     PartOf<Plate4<>, DeckSection<DeckFailingMetal>, Erosion>, PartOf<Plate4<>, DeckSection<DeckCurve>>,
     PartOf<Plate4<>, DeckSection<DeckFailingCurve>, Erosion>, PartOf<Plate3<>, DeckSection<Elastic>>,
     PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>,
-    PartOf<Plate4<>, DeckLaminate, Erosion>>;
+    PartOf<Plate4<>, DeckLaminate, Erosion>,
+    PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook, JohnsonCookFailure>, Erosion>>;
 
 using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;
