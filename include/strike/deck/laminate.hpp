@@ -133,7 +133,7 @@ class LaminateOfPart {
   void place(double reference, double shear_factor, double own_offset) {
     double thickness = 0;
     for (const auto& ply : plies) thickness += ply.thickness;
-    offset = own_offset != 0 ? own_offset : -0.5 * reference * thickness;
+    offset = own_offset != 0 ? own_offset : reference != 0 ? -0.5 * reference * thickness : 0;
     tell(replaced, {"the transverse shear by equilibrium stands for SHRF ", code_of(shear_factor), "."});
   }
 
