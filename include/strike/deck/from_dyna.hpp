@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -54,11 +55,13 @@ class FromDyna {
     for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) add_nodal_force(i);
     for (std::size_t i = 0; i < deck.pressures.size(); ++i) add_pressure(i);
     for (std::size_t i = 0; i < deck.walls.size(); ++i) add_wall(i);
-    for (std::size_t i = 0; i < deck.obstacles.size(); ++i)
-      cannot({"A rigid sphere or cylinder of *RIGIDWALL_GEOMETRIC is left out."});
+    for (std::size_t i = 0; i < deck.obstacles.size(); ++i) add_obstacle(i);
+    for (std::size_t i = 0; i < deck.contacts.size(); ++i)
+      if (deck.contacts[i].is_tied()) add_tie(i);
     add_contacts();
     for (const std::string& warning : deck.warnings)
-      (is_harmless(warning) ? made_.replaced : made_.cannot).push_back(warning);
+      if (warning.find("(a RigidWall has no edges)") == warning.npos)  // told where the wall is
+        (is_harmless(warning) ? made_.replaced : made_.cannot).push_back(warning);
   }
   DeckScene made() { return std::move(made_); }
 
@@ -131,8 +134,8 @@ class FromDyna {
     const LaminateOfPart laminate(deck_, part, cells, card);
     for (const std::string& sentence : laminate.replaced) replaced({name_of(part), ": ", sentence});
     for (const std::string& sentence : laminate.cannot) cannot({name_of(part), ": ", sentence});
-    tell_hourglass(part, card);
     if (!laminate.known) return;
+    tell_plates(part, card, laminate.element_form);
     for (std::size_t k = 0; k < laminate.plies.size(); ++k) {
       const std::string name = LaminateOfPart::name_of(laminate.materials[k]);
       if (std::any_of(made_.materials.begin(), made_.materials.end(), [&](const auto& m) { return m.name == name; }))
@@ -146,7 +149,11 @@ class FromDyna {
     if (!cells.triangles.empty())
       place(part, Plate3{}, section, laminate.code(), cells.triangles, "triangles", Erosion{});
   }
-  void tell_hourglass(const NamedSet& part, const PartCard& card) {
+  /// The element and the hourglass control that plates are asked for and do not have.
+  void tell_plates(const NamedSet& part, const PartCard& card, FileNumber form) {
+    if (form != 2)
+      replaced(
+          {name_of(part), ": plates of one point with hourglass control stand for ELFORM ", std::to_string(form), "."});
     if (card.hourglass != 0 || deck_.hourglass_control)
       replaced({name_of(part), ": the usual hourglass control of Plate4 stands for that of the deck."});
   }
@@ -293,7 +300,7 @@ class FromDyna {
       if (std::abs(section->shear_factor - 5.0 / 6) > 1e-3)
         replaced(
             {name_of(part), ": the transverse shear factor 5/6 stands for SHRF ", code_of(section->shear_factor), "."});
-      tell_hourglass(part, card);
+      tell_plates(part, card, section->element_form);
       const PlaneStress plane{material};
       const std::string code = joined({"Homogeneous{", code_of(plane), ", ", code_of(thickness), "}"});
       if (!cells.quadrilaterals.empty())
@@ -486,8 +493,12 @@ class FromDyna {
   }
   void add_wall(std::size_t i) {
     const WallCard& card = deck_.walls[i];
-    if (card.edges || card.motion || card.mass != 0) {
-      cannot({"A rigid wall that ends or moves is left out."});
+    if (card.motion || card.mass != 0 || card.speed != 0) {
+      cannot({"A rigid wall that moves is left out."});
+      return;
+    }
+    if (card.edges && (card.edges->length > 0 || card.edges->width > 0)) {
+      add_finite_wall(i);
       return;
     }
     if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
@@ -496,6 +507,143 @@ class FromDyna {
                                    std::to_string(i), "].nodes, ", code_of(card.friction), "}"})});
     becomes({"Rigid wall at ", code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
              code_of(card.friction)});
+  }
+
+  void add_finite_wall(std::size_t i) {
+    const WallCard& card = deck_.walls[i];
+    const std::string of = joined({"deck.walls[", std::to_string(i), "]"});
+    const std::vector<Eigen::Vector3d> corners = card.corners();
+    if (corners.empty()) {
+      cannot({"A rigid wall that ends in one direction alone is left out: give it LENL and LENM."});
+      return;
+    }
+    add_obstacle(card.nodes, RigidSurface{corners, {Face{{0, 1, 2, 3}, 0}}}, card, of,
+                 joined({"RigidSurface{", of, ".corners(), {Face{{0, 1, 2, 3}, 0}}}"}));
+    becomes({"Rigid wall with four edges from ", code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
+             code_of(card.friction)});
+  }
+  void add_obstacle(std::size_t i) {
+    const ObstacleCard& card = deck_.obstacles[i];
+    if (card.motion) {
+      cannot({"A rigid sphere or cylinder that moves is left out."});
+      return;
+    }
+    if (card.length > 0) cannot({"A rigid cylinder has no end: LENCYL is left out."});
+    const std::string of = joined({"deck.obstacles[", std::to_string(i), "]"});
+    if (const auto* const sphere = std::get_if<RigidSphere>(&card.shape)) {
+      add_obstacle(card.nodes, *sphere, card, of, joined({"std::get<RigidSphere>(", of, ".shape)"}));
+      becomes({"Rigid sphere of radius ", code_of(sphere->radius), " about ", code_of(sphere->centre)});
+    } else if (const auto* const cylinder = std::get_if<RigidCylinder>(&card.shape)) {
+      add_obstacle(card.nodes, *cylinder, card, of, joined({"std::get<RigidCylinder>(", of, ".shape)"}));
+      becomes({"Rigid cylinder of radius ", code_of(cylinder->radius), " about ", code_of(cylinder->point), " along ",
+               code_of(cylinder->axis)});
+    }
+  }
+  template <class Body, class Card>
+  void add_obstacle(const std::vector<Index>& nodes, const Body& body, const Card& card, const std::string& of,
+                    const std::string& code) {
+    if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
+    made_.obstacles.push_back(
+        {Contact{NodeToRigid{nodes, body}, Coulomb{card.friction}},
+         joined({"Contact{NodeToRigid{", of, ".nodes, ", code, "}, ", code_of(Coulomb{card.friction}), "}"})});
+  }
+
+  // Ties
+
+  /// Nodes and surfaces of a tie, each with its code, and the greatest thickness of their plates.
+  struct TieSide {
+    std::vector<Index> nodes = {};
+    std::optional<Surface> surface = {};
+    std::string code_of_nodes = {}, code_of_surface = {};
+    double thickness = 0;
+
+    void add(const Surface& more, const std::string& code) {
+      surface = surface ? *surface + more : more;
+      code_of_surface += (code_of_surface.empty() ? "" : " + ") + code;
+    }
+  };
+  /// `of` is its code.
+  TieSide side_of_tie(const ContactSide& side, const std::string& of) const {
+    TieSide made;
+    const std::vector<Face> faces = side.faces();
+    if (!faces.empty()) {
+      made.nodes = surface_nodes(faces), made.code_of_nodes = joined({"surface_nodes(", of, ".faces())"});
+      made.add(Surface{faces}, joined({"Surface{", of, ".faces()}"}));
+    } else if (!side.nodes.empty()) {
+      made.nodes = side.nodes, made.code_of_nodes = of + ".nodes";
+    } else if (!side.parts.empty()) {
+      made.nodes = surface_nodes(surface(deck_.cells_of(side.parts)));
+      made.code_of_nodes = joined({"surface_nodes(surface(deck.cells_of(", of, ".parts)))"});
+    }
+    std::vector<bool> is_of_side(deck_.mesh.nodes.size());
+    for (const Index node : made.nodes) is_of_side[node] = true;
+    const auto has_any = [&](const auto& cells) {
+      return std::any_of(cells.begin(), cells.end(), [&](const auto& corners) {
+        return std::any_of(corners.begin(), corners.end(), [&](Index node) { return is_of_side[node]; });
+      });
+    };
+    for (std::size_t p = 0; p < made_.parts.size(); ++p)
+      std::visit(
+          [&](const auto& part) {
+            const std::string& cells = made_.parts[p].cells;
+            const bool is_named =
+                std::find(side.parts.begin(), side.parts.end(), owners_[p].front()) != side.parts.end();
+            double thickness = 0;
+            if constexpr (requires { part.material.thickness(); }) thickness = part.material.thickness();
+            if (thickness > made.thickness && (is_named || (side.parts.empty() && has_any(part.cells))))
+              made.thickness = thickness;
+            if (!is_named) return;
+            if constexpr (requires { part.material.thickness(); })
+              made.add(plate_surface(part.cells, thickness, p),
+                       joined({"plate_surface(", cells, ", ", code_of(thickness), ", ", std::to_string(p), ")"}));
+            else
+              made.add(solid_surface(part.cells, p), joined({"solid_surface(", cells, ", ", std::to_string(p), ")"}));
+          },
+          made_.parts[p].item);
+    if (side.thickness != 0)
+      made.thickness = std::abs(side.thickness);
+    else
+      made.thickness *= side.thickness_scale;
+    return made;
+  }
+  /// The nodes of the slave within 0.6 of the sum of the thicknesses, or a twentieth of the least diagonal of a face,
+  /// of the master are tied, as in LS-DYNA (Keyword User's Manual R13, volume I, *CONTACT_TIED).
+  void add_tie(std::size_t i) {
+    const ContactCard& card = deck_.contacts[i];
+    const std::string of = joined({"deck.contacts[", std::to_string(i), "]"});
+    if (card.birth > 0 || card.death < deck_.end_time) cannot({"Contact ", card.kind, " acts all over the run."});
+    if (card.kind.find("SHELL_EDGE") != card.kind.npos) cannot({"Contact ", card.kind, " ties no rotations."});
+    const auto is_rigid = [&](FileNumber part) { return rigid(part) != nullptr; };
+    for (const ContactSide* const side : {&card.slave, &card.master})
+      if (std::any_of(side->parts.begin(), side->parts.end(), is_rigid)) {
+        cannot({"Contact ", card.kind, " of a rigid part is left out: give its nodes to the part."});
+        return;
+      }
+    const TieSide slave = side_of_tie(card.slave, of + ".slave"), master = side_of_tie(card.master, of + ".master");
+    if (slave.nodes.empty() || !master.surface) {
+      cannot(
+          {"Contact ", card.kind, " is left out: give it the nodes or parts, and the faces or parts, that it ties."});
+      return;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const Face& face : master.surface->faces()) {
+      const auto x = [&](std::size_t corner) { return deck_.mesh.nodes[face.nodes[corner]]; };
+      least = std::min({least, (x(2) - x(0)).norm(), (x(3) - x(1)).norm()});
+    }
+    double reach = 0.6 * (slave.thickness + master.thickness);
+    if (card.slave.thickness >= 0 && card.master.thickness >= 0) reach = std::max(reach, 0.05 * least);
+    const std::vector<Index> nodes = nodes_near(deck_.mesh.nodes, slave.nodes, *master.surface, reach);
+    if (nodes.empty()) {
+      cannot({"Contact ", card.kind, " ties nothing: no node is within ", text(reach), " of its master."});
+      return;
+    }
+    const double tolerance = 1.001 * reach;  // apart from rounding
+    made_.ties.push_back(
+        {Tied{nodes, *master.surface, tolerance},
+         joined({"Tied{nodes_near(deck.mesh.nodes, ", slave.code_of_nodes, ", ", master.code_of_surface, ", ",
+                 code_of(reach), "), ", master.code_of_surface, ", ", code_of(tolerance), "}"})});
+    becomes({"Contact ", card.kind, ": of ", std::to_string(slave.nodes.size()), " nodes, ",
+             std::to_string(nodes.size()), " within ", text(reach), " of the master are tied, at their distance"});
   }
 
   // Contacts
@@ -526,10 +674,7 @@ class FromDyna {
     std::vector<Touching> all;
     std::set<std::array<std::size_t, 2>> taken;
     for (const ContactCard& card : deck_.contacts) {
-      if (card.is_tied()) {
-        cannot({"Contact ", card.kind, " is left out."});
-        continue;
-      }
+      if (card.is_tied()) continue;
       if (card.birth > 0 || card.death < deck_.end_time) cannot({"Contact ", card.kind, " acts all over the run."});
       if (card.slave.thickness != 0 || card.master.thickness != 0 || card.slave.thickness_scale != 1 ||
           card.master.thickness_scale != 1)

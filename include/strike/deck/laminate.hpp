@@ -25,7 +25,7 @@ inline std::optional<ShellCard> common_values(const DynaDeck& deck, const NamedS
   ShellCard common{};
   std::size_t count = 0;
   for (const ShellCard& card : deck.shells) {
-    if (std::find(part.members.begin(), part.members.end(), card.cell) == part.members.end()) continue;
+    if (!std::binary_search(part.members.begin(), part.members.end(), card.cell)) continue;
     if (count == 0) common = card;
     if (card.corner_thickness != common.corner_thickness || card.angle != common.angle || card.offset != common.offset)
       return std::nullopt;
@@ -51,6 +51,7 @@ class LaminateOfPart {
         tell(cannot, {"*ELEMENT_SHELL_THICKNESS: its layers are as thick as *PART_COMPOSITE says."});
       for (const CompositeCard::Layer& layer : composite->layers)
         add(layer.material, layer.thickness, layer.angle, values.angle);
+      element_form = composite->element_form;
       place(composite->reference, composite->shear_factor, values.offset);
     } else if (const auto section = std::find_if(deck.sections.begin(), deck.sections.end(),
                                                  [&](const SectionCard& one) { return one.number == card.section; });
@@ -66,6 +67,7 @@ class LaminateOfPart {
       tell(replaced,
            {std::to_string(count), count == 1 ? " ply" : " equal plies", " of two points each by Gauss' rule ",
             count == 1 ? "stands" : "stand", " for NIP ", std::to_string(section->points), "."});
+      element_form = section->element_form;
       place(section->reference, section->shear_factor, values.offset);
     }
     if (plies.empty()) known = false, tell(cannot, {"it has no plies of a thickness: its shells are left out."});
@@ -77,6 +79,7 @@ class LaminateOfPart {
   std::vector<FileNumber> materials;  ///< of each ply
   Eigen::Vector3d direction{1, 0, 0};
   double offset = 0;
+  FileNumber element_form = 2;
   std::vector<std::string> replaced, cannot;  ///< sentences without the name of the part
 
   std::string code() const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -10,7 +11,9 @@
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>
 #include <strike/contact/pairing.hpp>
+#include <strike/contact/rigid.hpp>
 #include <strike/contact/rigid_wall.hpp>
+#include <strike/contact/tied.hpp>
 #include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/erosion.hpp>
 #include <strike/dynamics/explicit_options.hpp>
@@ -79,6 +82,11 @@ using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBo
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;
 using DeckMotion = std::variant<PrescribedVelocity<CardHistory>, PrescribedDisplacement<CardHistory>>;
 using DeckContact = Contact<Everything, Penalty, Coulomb>;
+template <class Body>
+using DeckContactWith = decltype(Contact{NodeToRigid{std::vector<Index>{}, std::declval<Body>()}, Coulomb{}});
+/// A rigid wall that is round, or ends.
+using DeckObstacle =
+    std::variant<DeckContactWith<RigidSphere>, DeckContactWith<RigidCylinder>, DeckContactWith<RigidSurface>>;
 
 /// An item of a deck's scene with the C++ that makes it.
 template <class Item>
@@ -113,6 +121,8 @@ struct DeckScene {
   std::vector<Stated<NodalForce<CardHistory>>> nodal_forces = {};
   std::vector<Stated<Pressure<CardHistory>>> pressures = {};
   std::vector<Stated<RigidWall>> walls = {};
+  std::vector<Stated<DeckObstacle>> obstacles = {};
+  std::vector<Stated<Tied>> ties = {};
   std::vector<Stated<DeckContact>> contacts = {};
   ExplicitOptions options = {};
   double end = 0;                             ///< [time]
@@ -124,10 +134,21 @@ struct DeckScene {
   std::vector<std::string> replaced = {};  ///< another law or element stands for what the deck asks for
   std::vector<std::string> cannot = {};    ///< what is left out; the answer would be another one
 
-  /// Parts, rigid bodies, initial velocities, supports, motions, loads, walls and contacts, in the order of the deck.
+  /// Parts, rigid bodies, initial velocities, supports, motions, loads, walls, ties and contacts, in the order of the
+  /// deck.
   auto scene() const {
-    return Scene{nodes,          items(parts),       items(bodies),       items(velocities), items(supports),
-                 items(motions), items(body_forces), items(nodal_forces), items(pressures),  items(walls),
+    return Scene{nodes,
+                 items(parts),
+                 items(bodies),
+                 items(velocities),
+                 items(supports),
+                 items(motions),
+                 items(body_forces),
+                 items(nodal_forces),
+                 items(pressures),
+                 items(walls),
+                 items(obstacles),
+                 items(ties),
                  items(contacts)};
   }
 

@@ -234,6 +234,12 @@ struct Ply {
   M material;
   double thickness;  ///< [length]
   double angle = 0;  ///< as of a LayUp [degrees]
+
+  void ranges(const auto& number) const {
+    number(material);
+    number("thickness", thickness, range::not_negative);
+    number("angle", angle, range::finite);
+  }
 };
 template <class M>
 Ply(M, double) -> Ply<M>;
@@ -260,7 +266,7 @@ struct PlyStack {
   void ranges(const auto& number) const {
     number("count", layers.size(), range::between(1, 100000));
     for (std::size_t k = 0; k < layers.size(); ++k) number(layers[k], detail::joined({"ply ", std::to_string(k)}));
-    for (const double angle : angles) number("angle", angle, range::finite);
+    number("angles", angles, range::finite);
   }
 };
 template <class M>
