@@ -13,6 +13,7 @@
 
 using namespace strike;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -414,6 +415,84 @@ TEST_CASE("deck: the damage of Johnson and Cook is their failure law, and the le
   };
   CHECK(limit(".2") == .2);
   CHECK(limit(".4") == .3);  // FS of the material
+}
+
+TEST_CASE("deck: ties join the nodes of a side that lie near the other") {
+  const auto tied = [](const std::string& sides, const std::string& more = "") {
+    return scene_of(three_metals + ended + "*CONTACT_TIED_SURFACE_TO_SURFACE\n" + sides + "\n" + more);
+  };
+  // The cubes are 1 apart: of the upper one the four lower nodes are within 0.6 x 2, the others at 2 are not.
+  const DeckScene scene = tied("2,1,3,3\n\n,,-2");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  REQUIRE(scene.ties.size() == 1);
+  CHECK(has(scene.becomes, "of 8 nodes, 4 within 1.2 of the master are tied"));
+  CHECK_THAT(scene.ties[0].code,
+             StartsWith("Tied{nodes_near(deck.mesh.nodes, surface_nodes(surface(deck.cells_of("
+                        "deck.contacts[0].slave.parts))), solid_surface(deck.part(1).hexahedra, 0), 1.2), "
+                        "solid_surface(deck.part(1).hexahedra, 0), 1.20"));
+  CHECK_THAT(program_of(scene, "a.k", "a"), ContainsSubstring("                     Tied{nodes_near("));
+  CHECK(scene.contacts.empty());
+
+  const DeckScene sets = tied("7,8,2,2\n\n,,-2", "*SET_PART_LIST\n7\n2\n*SET_PART_LIST\n8\n1,3\n");
+  CHECK(has(sets.becomes, "of 8 nodes, 4 within"));
+  CHECK_THAT(sets.ties.at(0).code,
+             ContainsSubstring("solid_surface(deck.part(1).hexahedra, 0) + plate_surface(deck.part(3).quadrilaterals, "
+                               "0.1, 2)"));
+  const DeckScene faces = tied("7,8,4,0\n\n,,-2", "*SET_NODE_LIST\n7\n11,15,5\n*SET_SEGMENT\n8\n5,6,7,8\n");
+  CHECK(has(faces.becomes, "of 3 nodes, 1 within"));  // node 5 belongs to the face
+  CHECK_THAT(faces.ties.at(0).code, ContainsSubstring("deck.contacts[0].slave.nodes, Surface{deck.contacts[0].master"));
+
+  CHECK(has(tied("2,1,3,3\n\n").cannot, "ties nothing: no node is within 0.0707"));
+  CHECK(has(tied("1,3,3,3\n\n").cannot,
+            "ties nothing: no node is within 0.212"));  // a twentieth of the diagonal 3 sqrt(2)
+  CHECK(has(tied("2,7,3,4\n\n", "*SET_NODE_LIST\n7\n1,2\n").cannot, "and the faces or parts, that it ties"));
+  const DeckScene rigid =
+      scene_of("*MAT_ELASTIC\n1,7.8,200,.25\n*MAT_RIGID\n2,7.8,200,.25\n*MAT_ELASTIC\n3,2.7,70,.25\n" + ended +
+               "*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n\n,,-2\n");
+  CHECK(has(rigid.cannot, "of a rigid part is left out"));
+  CHECK(rigid.ties.empty());
+}
+
+TEST_CASE("deck: rigid walls that are round or end are obstacles of nodes") {
+  const DeckScene scene = scene_of(three_metals + ended + R"(*RIGIDWALL_GEOMETRIC_SPHERE
+0
+1,1,-9,1,1,1,.2
+3
+*RIGIDWALL_GEOMETRIC_CYLINDER
+0
+0,0,-9,1,0,-9
+2
+*RIGIDWALL_PLANAR_FINITE
+0
+0,0,-4,0,0,1,.3
+1,0,-4,5,6
+)");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  CHECK(scene.walls.empty());
+  std::vector<std::string> codes;
+  for (const auto& one : scene.obstacles) codes.push_back(one.code);
+  CHECK(codes == std::vector<std::string>{
+                     "Contact{NodeToRigid{deck.walls[0].nodes, RigidSurface{deck.walls[0].corners(), "
+                     "{Face{{0, 1, 2, 3}, 0}}}}, Coulomb{.coefficient = 0.3}}",
+                     "Contact{NodeToRigid{deck.obstacles[0].nodes, std::get<RigidSphere>(deck.obstacles[0].shape)}, "
+                     "Coulomb{.coefficient = 0.2}}",
+                     "Contact{NodeToRigid{deck.obstacles[1].nodes, std::get<RigidCylinder>(deck.obstacles[1].shape)}, "
+                     "Coulomb{}}"});
+  CHECK(has(scene.becomes, "Rigid sphere of radius 3 about {1, 1, -9}"));
+
+  const std::string moving = "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-4,0,0,1\n5,1\n";
+  CHECK(has(scene_of(three_metals + ended + moving).cannot, "A rigid wall that moves is left out"));
+  const std::string strip = "*RIGIDWALL_PLANAR_FINITE\n0\n0,0,-4,0,0,1\n1,0,-4,5,0\n";
+  CHECK(has(scene_of(three_metals + ended + strip).cannot, "ends in one direction alone"));
+  const std::string sticky = "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n1,1,-9,1,1,1,1\n3\n";
+  CHECK(has(scene_of(three_metals + ended + sticky).cannot, "nodes stick has friction 0"));
+}
+
+TEST_CASE("deck: plates of other elements are told") {
+  const std::string shells = "*ELEMENT_SHELL\n9,9,21,22,23,24\n*PART\na\n9,9,3\n*SECTION_SHELL\n9,16,,5\n.1\n";
+  CHECK(has(scene_of(three_metals + ended + shells).replaced,
+            "Part 9, a: plates of one point with hourglass control stand for ELFORM 16."));
+  CHECK(!has(scene_of(three_metals + ended).replaced, "ELFORM"));
 }
 
 TEST_CASE("deck: numbers are written so that they read back as the same") {

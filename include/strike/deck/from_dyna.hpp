@@ -528,7 +528,6 @@ class FromDyna {
       cannot({"A rigid sphere or cylinder that moves is left out."});
       return;
     }
-    if (card.length > 0) cannot({"A rigid cylinder has no end: LENCYL is left out."});
     const std::string of = joined({"deck.obstacles[", std::to_string(i), "]"});
     if (const auto* const sphere = std::get_if<RigidSphere>(&card.shape)) {
       add_obstacle(card.nodes, *sphere, card, of, joined({"std::get<RigidSphere>(", of, ".shape)"}));
