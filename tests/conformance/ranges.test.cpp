@@ -150,6 +150,7 @@ TEST_CASE("conformance: wrong numbers of sections are refused") {
   });
   refuses(FibreDirection{{1, 2, 0}}, LayUp{testing::carbon, .1, {0, 45}});
   refuses(LayUp{testing::carbon, .1, {0, 45}}, FibreDirection{{1, 2, 0}});
+  refuses(PlyStack{{Ply{testing::carbon, .1}, Ply{testing::carbon, .2, 45}}}, FibreDirection{{1, 2, 0}});
   tried.print("sections");
 }
 

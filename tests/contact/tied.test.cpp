@@ -99,6 +99,28 @@ struct Doomed {
 
 }  // namespace
 
+TEST_CASE("the nodes near a surface are those within a distance that do not belong to it") {
+  const Stack stack;
+  std::vector<Index> all, upper;
+  for (Index i = 0; i < stack.mesh.nodes.size(); ++i) {
+    all.push_back(i);
+    if (i >= stack.first_upper) upper.push_back(i);
+  }
+  const Surface surface{stack.faces};
+  CHECK(nodes_near(stack.mesh.nodes, all, surface, 1e-9) == stack.nodes);
+  CHECK(nodes_near(stack.mesh.nodes, upper, surface, 0.33) == stack.nodes);
+  CHECK(nodes_near(stack.mesh.nodes, upper, surface, 0.34).size() == 32);    // two layers, 1/3 apart
+  CHECK(nodes_near(stack.mesh.nodes, all, surface, 0.51).size() == 32 + 9);  // and one below the faces, 1/2 apart
+
+  const std::vector<Eigen::Vector3d> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, 0.3}, {0.8, 0.8, 0}, {0, -0.4, 0.3}};
+  const Surface triangle{{Face{{0, 1, 2, 2}, 0}}};
+  CHECK(nodes_near(x, {3, 4, 5, 0}, triangle, 0.299).empty());
+  CHECK(nodes_near(x, {3, 4, 5, 0}, triangle, 0.301) == std::vector<Index>{3});
+  CHECK(nodes_near(x, {5, 4, 3, 3}, triangle, 0.425) == std::vector<Index>{3, 4});  // 4 is 0.6/sqrt(2) beside an edge
+  CHECK(nodes_near(x, {5, 4, 3}, triangle, 0.501) == std::vector<Index>{3, 4, 5});
+  CHECK(nodes_near(x, {}, triangle, 1).empty());
+}
+
 TEST_CASE("a tie ends with the element that it is tied to, and not before") {
   const Stack stack;
   const auto middle = stack.mesh.hexahedra.begin() + 8;

@@ -13,6 +13,7 @@
 
 using namespace strike;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -238,6 +239,260 @@ TEST_CASE("deck: conditions and loads are those of the deck's cards") {
     CHECK_THAT(program, ContainsSubstring(line));
   for (std::size_t at = 0, end = 0; (end = program.find('\n', at)) != program.npos; at = end + 1)
     CHECK(end - at <= 120);
+}
+
+namespace {
+
+/// Two plates side by side in part 1 and a third in part 2, of a composite material 7 whose AOPT and MANGLE are given.
+DeckScene plates_of(const std::string& cards, const std::string& aopt = "2,,,,1,0,0,", const std::string& first = "") {
+  const std::size_t comma = aopt.find(',');
+  return deck_scene(read_dyna("*KEYWORD\n" + first + R"(*NODE
+1,0,0,0
+2,1,0,0
+3,2,0,0
+4,0,1,0
+5,1,1,0
+6,2,1,0
+7,3,0,0
+8,3,1,0
+*MAT_ENHANCED_COMPOSITE_DAMAGE
+7,1.6,140,9,9,.02,.02,.4
+5,3,4,,)" + aopt.substr(0, comma) +
+                                  "\n" + aopt.substr(comma + 1) +
+                                  R"(
+
+0,0
+1.2,2,.2,.05,.09,54,.5
+*MAT_ELASTIC
+8,2.5,70,.25
+*MAT_PLASTIC_KINEMATIC
+9,7.8,200,.25,.5
+*CONTROL_TERMINATION
+2
+)" + cards + "*END\n",
+                              "a.k"));
+}
+const std::string three_plates = "*ELEMENT_SHELL\n1,1,1,2,5,4\n2,1,2,3,6,5\n3,2,3,7,8,6\n";
+const std::string composite = "*PART_COMPOSITE\nskin\n1,2,1,1\n7,.2,30,,8,.5\n7,.3,-45\n";
+const std::string second = "*PART_COMPOSITE\nrib\n2,2\n7,.1,0,,7,.1,90\n";
+using LaminatePart = PartOf<Plate4<>, DeckLaminate, Erosion>;
+
+}  // namespace
+
+TEST_CASE("deck: layers become a laminate of plies that fail") {
+  const DeckScene scene = plates_of(three_plates + composite + second, "2,,,,1,0,0,20");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  REQUIRE(scene.parts.size() == 2);
+  const auto* const skin = std::get_if<LaminatePart>(&scene.parts[0].item);
+  REQUIRE(skin);
+  const OrthotropicPly ply{.density = 1.6, .E1 = 140, .E2 = 9, .nu12 = .02 * 140 / 9, .G12 = 5, .G13 = 4, .G23 = 3};
+  const OrthotropicPly core{
+      .density = 2.5, .E1 = 70, .E2 = 70, .nu12 = .25, .G12 = 28, .G13 = 28, .G23 = 28, .nu23 = .25};
+  const Layered expected{PlyStack{{Ply{ply, .2, 30}, Ply{core, .5}, Ply{ply, .3, -45}}}, FibreDirection{{1, 0, 0}},
+                         Offset{-0.5}};  // the nodes lie in the top
+  CHECK(skin->material.thickness() == Approx(1));
+  CHECK(skin->material.offset() == Approx(-0.5));
+  CHECK(skin->material.density() == Approx(expected.density()).epsilon(1e-14));
+  const LaminateStiffness &a = skin->material.laminate_stiffness(), &b = expected.laminate_stiffness();
+  CHECK((a.A - b.A).norm() <= 1e-12 * b.A.norm());  // rounding
+  CHECK((a.B - b.B).norm() <= 1e-12 * b.B.norm());
+  CHECK((a.D - b.D).norm() <= 1e-12 * b.D.norm());
+  CHECK(scene.parts[0].material ==
+        "Layered{PlyStack{{Ply{ply_7, 0.2, 30}, Ply{ply_8, 0.5}, Ply{ply_7, 0.3, -45}}}, Offset{-0.5}, "
+        "FibreDirection{{1, 0, 0}}}");
+  CHECK(scene.parts[0].removal == "Erosion{}");
+  REQUIRE(scene.materials.size() == 2);
+  CHECK_THAT(scene.materials[0].code, ContainsSubstring("ChangChang{.Xt = 2, .Xc = 1.2, .Yt = 0.05, .Yc = 0.2, "
+                                                        ".S = 0.09, .beta = 0.5}"));
+  CHECK(has(scene.replaced, "Part 1, skin: Material 7: its angle, or BETA of its plates, counts for AOPT 0 and 3"));
+  CHECK(has(scene.replaced, "Part 2, rib: the transverse shear by equilibrium stands for SHRF 1"));
+  const std::string program = program_of(scene, "a.k", "a");
+  const std::size_t at = program.find("  const auto ply_7 = FailingPly{OrthotropicPly{");
+  CHECK(at < program.find("  const auto skin_1 = "));
+  CHECK(program.find("const auto ply_7", at + 10) == program.npos);
+}
+
+TEST_CASE("deck: angles of plies count from where the card says") {
+  const auto angles = [](const std::string& text) {  // of the plies of the first part
+    std::vector<double> all;
+    for (std::size_t at = 0; (at = text.find("Ply{ply_7, ", at)) != text.npos; ++at) {
+      const std::string ply = text.substr(at, text.find('}', at) - at);
+      const std::size_t second_comma = ply.find(',', ply.find(',') + 1);
+      all.push_back(second_comma == ply.npos ? 0 : std::stod(ply.substr(second_comma + 1)));
+    }
+    return all;
+  };
+  const auto of = [&](const DeckScene& scene) { return angles(scene.parts.at(0).material); };
+  using Angles = std::vector<double>;
+  CHECK(of(plates_of(three_plates + composite)) == Angles{30, -45});
+  CHECK(of(plates_of(three_plates + composite, "0,,,,0,0,0,20")) == Angles{50, -25});  // MANGLE of AOPT 0
+  const std::string beta = "*ELEMENT_SHELL_BETA\n1,1,1,2,5,4\n0,0,0,0,";
+  const DeckScene turned = plates_of(beta + "10\n2,1,2,3,6,5\n0,0,0,0,10\n" + composite, "0,,,,0,0,0,20");
+  CHECK(of(turned) == Angles{40, -35});  // BETA before MANGLE
+  CHECK(turned.cannot == std::vector<std::string>{});
+  CHECK(has(plates_of(beta + "10\n2,1,2,3,6,5\n0,0,0,0,11\n" + composite, "0,,,,,,,,").cannot, "of their own differ"));
+  CHECK(has(plates_of(beta + "10\n*ELEMENT_SHELL\n2,1,2,3,6,5\n" + composite, "0,,,,,,,,").cannot, "differ"));
+}
+
+TEST_CASE("deck: fibres along the first side of each plate are one direction, or are told") {
+  const auto scene = [](const char* second_plate) {
+    return plates_of(detail::joined({"*ELEMENT_SHELL\n1,1,1,2,5,4\n2,1,", second_plate, "\n"}) + composite,
+                     "0,,,,,,,,");
+  };
+  CHECK(scene("2,3,6,5").cannot == std::vector<std::string>{});
+  CHECK(scene("6,5,2,3").cannot == std::vector<std::string>{});  // half a turn
+  CHECK_THAT(scene("6,5,2,3").parts.at(0).material, ContainsSubstring("FibreDirection{{1, 0, 0}}"));
+  CHECK(has(scene("3,6,5,2").cannot, "turn by up to 90 degrees"));
+  CHECK(has(plates_of(three_plates + "*MAT_ENHANCED_COMPOSITE_DAMAGE\n6,1.6,140,9,9,.02,.02,.4\n5,3,4,,2\n"
+                                     ",,,0,1,0\n\n0,0\n\n*PART_COMPOSITE\nskin\n1,2\n7,.2,30,,6,.5\n")
+                .cannot,
+            "several directions"));
+}
+
+TEST_CASE("deck: layers that are no plies here are told, with their material") {
+  const std::string part = "*PART_COMPOSITE\nskin\n1,2\n7,.2,30,,";
+  for (const auto& [layers, sentence] :
+       {std::pair{"9,.5", "Material 9 of a layer, *MAT_PLASTIC_KINEMATIC, is neither a ply nor elastic"},
+        {"5,.5", "Material 5 of a layer is not known here"}}) {
+    const DeckScene scene = plates_of(three_plates + part + layers + "\n");
+    CHECK(has(scene.cannot, sentence));
+    CHECK(scene.parts.empty());
+  }
+  CHECK_THROWS_WITH(plates_of(three_plates + part + "7,0,20\n"), ContainsSubstring("THICK of a layer is not positive"));
+  CHECK(has(plates_of(three_plates + composite + "*MAT_ADD_EROSION\n7\n,,,,.3\n").cannot, "*MAT_ADD_EROSION of plies"));
+  CHECK(has(plates_of("*ELEMENT_SHELL\n1,1,1,2,5\n" + composite).cannot, "triangles of Plate3 with Layered"));
+}
+
+TEST_CASE("deck: a ply in a section is as many as its points, and plates may have a thickness of their own") {
+  const std::string own = "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,5,4\n.3,.3,.3,.3\n2,1,2,3,6,5\n.3,.3,.3,.3\n";
+  const std::string cards =
+      "*ELEMENT_SHELL\n3,2,3,7,8,6\n*PART\na\n1,5,7\n*PART\nb\n2,5,7\n*SECTION_SHELL\n5,2,,2\n.8\n";
+  const DeckScene scene = plates_of(own + cards);
+  CHECK(scene.cannot == std::vector<std::string>{});
+  CHECK_THAT(scene.parts.at(0).material, ContainsSubstring("{Ply{ply_7, 0.15}, Ply{ply_7, 0.15}}"));
+  CHECK_THAT(scene.parts.at(1).material, ContainsSubstring("{Ply{ply_7, 0.4}, Ply{ply_7, 0.4}}"));
+
+  const std::string metal =
+      "*ELEMENT_SHELL\n3,2,3,7,8,6\n*PART\na\n1,5,8\n*PART\nb\n2,5,9\n*SECTION_SHELL\n5,2,,5\n.8\n";
+  const DeckScene plain = plates_of(own + metal);
+  CHECK(plain.cannot == std::vector<std::string>{});
+  CHECK_THAT(plain.parts.at(0).material, ContainsSubstring(", 0.3}"));
+  CHECK_THAT(plain.parts.at(1).material, ContainsSubstring(", 0.8}"));
+  const std::string tapered = "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,5,4\n.3,.3,.4,.3\n2,1,2,3,6,5\n.3,.3,.4,.3\n";
+  CHECK(has(plates_of(tapered + metal).cannot, "Part 1, a: the values of shells of their own differ"));
+}
+
+TEST_CASE("deck: the damage of Johnson and Cook is their failure law, and the least strain counts") {
+  const auto scene = [](const std::string& damage, const std::string& more = "") {
+    return scene_of(
+        "*MAT_ELASTIC\n2,7.8,200,.25\n*MAT_ELASTIC\n3,2.7,70,.25\n*MAT_JOHNSON_COOK\n1,7.8,77,,,,1\n"
+        ".8,.5,.26,.014,1,1800,300,.001\n.5,-9,2," +
+        damage + "\n*EOS_GRUNEISEN\n4,4,1.5,,,2\n" + more + ended +
+        "*PART\njc\n9,1,1,4\n*ELEMENT_SOLID\n9,9,1,2,3,4,5,6,7,8\n");
+  };
+  using Broken = PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook, JohnsonCookFailure>, Erosion>;
+  const auto broken = [](const DeckScene& made) {
+    for (const StatedPart& part : made.parts)
+      if (const auto* found = std::get_if<Broken>(&part.item)) return found->material.failure;
+    return JohnsonCookFailure{-1};
+  };
+  const JohnsonCookFailure law = broken(scene(",.05,3.44,-2.12,.002\n.61,,,.01"));
+  CHECK(law.D1 == .05);
+  CHECK(law.D5 == .61);
+  CHECK(law.reference_rate == .001);
+  CHECK(law.initial_temperature == 300);
+  CHECK(law.melting_temperature == 1800);
+  CHECK(law.least_strain == .01);
+  CHECK(broken(scene(",.05\n0")).least_strain == 1e-6);
+  CHECK(broken(scene("\n0")).D1 == -1);
+  CHECK(has(scene(",0,0,-2\n0").cannot, "D3 to D5 of *MAT_JOHNSON_COOK are left out"));
+  CHECK(has(scene(",.05\n0", "*MAT_ADD_EROSION\n1,,,,.3\n\n").cannot, "is left out beside EFFEPS"));
+
+  const auto limit = [](const char* effeps) {
+    const DeckScene made = scene_of(three_metals + ended + "*MAT_ADD_EROSION\n2,,,," + effeps + "\n\n");
+    return std::get<PartOf<DeckHexahedron, DeckFailingMetal, Erosion>>(made.parts.at(1).item)
+        .material.failure.failure_strain;
+  };
+  CHECK(limit(".2") == .2);
+  CHECK(limit(".4") == .3);  // FS of the material
+}
+
+TEST_CASE("deck: ties join the nodes of a side that lie near the other") {
+  const auto tied = [](const std::string& sides, const std::string& more = "") {
+    return scene_of(three_metals + ended + "*CONTACT_TIED_SURFACE_TO_SURFACE\n" + sides + "\n" + more);
+  };
+  // The cubes are 1 apart: of the upper one the four lower nodes are within 0.6 x 2, the others at 2 are not.
+  const DeckScene scene = tied("2,1,3,3\n\n,,-2");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  REQUIRE(scene.ties.size() == 1);
+  CHECK(has(scene.becomes, "of 8 nodes, 4 within 1.2 of the master are tied"));
+  CHECK_THAT(scene.ties[0].code,
+             StartsWith("Tied{nodes_near(deck.mesh.nodes, surface_nodes(surface(deck.cells_of("
+                        "deck.contacts[0].slave.parts))), solid_surface(deck.part(1).hexahedra, 0), 1.2), "
+                        "solid_surface(deck.part(1).hexahedra, 0), 1.20"));
+  CHECK_THAT(program_of(scene, "a.k", "a"), ContainsSubstring("                     Tied{nodes_near("));
+  CHECK(scene.contacts.empty());
+
+  const DeckScene sets = tied("7,8,2,2\n\n,,-2", "*SET_PART_LIST\n7\n2\n*SET_PART_LIST\n8\n1,3\n");
+  CHECK(has(sets.becomes, "of 8 nodes, 4 within"));
+  CHECK_THAT(sets.ties.at(0).code,
+             ContainsSubstring("solid_surface(deck.part(1).hexahedra, 0) + plate_surface(deck.part(3).quadrilaterals, "
+                               "0.1, 2)"));
+  const DeckScene faces = tied("7,8,4,0\n\n,,-2", "*SET_NODE_LIST\n7\n11,15,5\n*SET_SEGMENT\n8\n5,6,7,8\n");
+  CHECK(has(faces.becomes, "of 3 nodes, 1 within"));  // node 5 belongs to the face
+  CHECK_THAT(faces.ties.at(0).code, ContainsSubstring("deck.contacts[0].slave.nodes, Surface{deck.contacts[0].master"));
+
+  CHECK(has(tied("2,1,3,3\n\n").cannot, "ties nothing: no node is within 0.0707"));
+  CHECK(has(tied("1,3,3,3\n\n").cannot,
+            "ties nothing: no node is within 0.212"));  // a twentieth of the diagonal 3 sqrt(2)
+  CHECK(has(tied("2,7,3,4\n\n", "*SET_NODE_LIST\n7\n1,2\n").cannot, "and the faces or parts, that it ties"));
+  const DeckScene rigid =
+      scene_of("*MAT_ELASTIC\n1,7.8,200,.25\n*MAT_RIGID\n2,7.8,200,.25\n*MAT_ELASTIC\n3,2.7,70,.25\n" + ended +
+               "*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n\n,,-2\n");
+  CHECK(has(rigid.cannot, "of a rigid part is left out"));
+  CHECK(rigid.ties.empty());
+}
+
+TEST_CASE("deck: rigid walls that are round or end are obstacles of nodes") {
+  const DeckScene scene = scene_of(three_metals + ended + R"(*RIGIDWALL_GEOMETRIC_SPHERE
+0
+1,1,-9,1,1,1,.2
+3
+*RIGIDWALL_GEOMETRIC_CYLINDER
+0
+0,0,-9,1,0,-9
+2
+*RIGIDWALL_PLANAR_FINITE
+0
+0,0,-4,0,0,1,.3
+1,0,-4,5,6
+)");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  CHECK(scene.walls.empty());
+  std::vector<std::string> codes;
+  for (const auto& one : scene.obstacles) codes.push_back(one.code);
+  CHECK(codes == std::vector<std::string>{
+                     "Contact{NodeToRigid{deck.walls[0].nodes, RigidSurface{deck.walls[0].corners(), "
+                     "{Face{{0, 1, 2, 3}, 0}}}}, Coulomb{.coefficient = 0.3}}",
+                     "Contact{NodeToRigid{deck.obstacles[0].nodes, std::get<RigidSphere>(deck.obstacles[0].shape)}, "
+                     "Coulomb{.coefficient = 0.2}}",
+                     "Contact{NodeToRigid{deck.obstacles[1].nodes, std::get<RigidCylinder>(deck.obstacles[1].shape)}, "
+                     "Coulomb{}}"});
+  CHECK(has(scene.becomes, "Rigid sphere of radius 3 about {1, 1, -9}"));
+
+  const std::string moving = "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-4,0,0,1\n5,1\n";
+  CHECK(has(scene_of(three_metals + ended + moving).cannot, "A rigid wall that moves is left out"));
+  const std::string strip = "*RIGIDWALL_PLANAR_FINITE\n0\n0,0,-4,0,0,1\n1,0,-4,5,0\n";
+  CHECK(has(scene_of(three_metals + ended + strip).cannot, "ends in one direction alone"));
+  const std::string sticky = "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n1,1,-9,1,1,1,1\n3\n";
+  CHECK(has(scene_of(three_metals + ended + sticky).cannot, "nodes stick has friction 0"));
+}
+
+TEST_CASE("deck: plates of other elements are told") {
+  const std::string shells = "*ELEMENT_SHELL\n9,9,21,22,23,24\n*PART\na\n9,9,3\n*SECTION_SHELL\n9,16,,5\n.1\n";
+  CHECK(has(scene_of(three_metals + ended + shells).replaced,
+            "Part 9, a: plates of one point with hourglass control stand for ELFORM 16."));
+  CHECK(!has(scene_of(three_metals + ended).replaced, "ELFORM"));
 }
 
 TEST_CASE("deck: numbers are written so that they read back as the same") {

@@ -116,7 +116,8 @@ TEST_CASE("plies whose number is known when the program runs go on from a checkp
     return struck_to(0.001, Layered{Plies{Layer{glass, 0.25, Gauss<2>{}}, 4}, InstantaneousShear{}});
   });
   goes_on_to_the_bit([&] {
-    return struck(
-        Layered{Plies{Layer{FailingPly{carbon, carbon_hashin}, 0.25, Gauss<2>{}}, 4}, FibreDirection{{1, 1, 0}}});
+    const FailingPly ply{carbon, carbon_hashin};
+    return struck(Layered{PlyStack{{Ply{ply, 0.25, -45}, Ply{ply, 0.2}, Ply{ply, 0.3, 90}, Ply{ply, 0.25, 45}}},
+                          FibreDirection{{1, 1, 0}}});
   });
 }

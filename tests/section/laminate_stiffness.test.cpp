@@ -16,6 +16,7 @@
 #include "support/sanitized.hpp"
 
 using namespace strike;
+using Catch::Matchers::ContainsSubstring;
 using testing::carbon, testing::four_plies, testing::of_four, testing::pagano_ply;
 
 namespace {
@@ -93,7 +94,7 @@ TEST_CASE("laminate stiffness: A, B and D are those of classical lamination theo
   }
 }
 
-TEST_CASE("laminate stiffness: a LayUp, Layers and Plies are the same, and n equal plies are one") {
+TEST_CASE("laminate stiffness: a LayUp, Layers, Plies and a PlyStack are the same, and n equal plies are one") {
   const Rate rate{{1e-3, -2e-3, 5e-4}, {1e-2, 2e-2, -1e-2}, {1e-3, -3e-3}};
   const auto check = [&](const auto& a, const auto& b, double tolerance) {
     auto one = typename std::decay_t<decltype(a)>::template State<double>{};
@@ -116,6 +117,18 @@ TEST_CASE("laminate stiffness: a LayUp, Layers and Plies are the same, and n equ
   };
   check(Layered{LayUp{carbon, 0.125, {0, 45, -45, 90}}, along}, Layered{at(0), at(45), at(-45), at(90), along}, 1e-14);
   check(Layered{Plies{at(30), 4}, along}, Layered{at(30), at(30), at(30), at(30), along}, 1e-14);
+  const OrthotropicPly glass{
+      .density = 2e-9, .E1 = 40e3, .E2 = 10e3, .nu12 = 0.25, .G12 = 4e3, .G13 = 4e3, .G23 = 3e3, .angle = 10};
+  const Layered stack{PlyStack{{Ply{carbon, 0.125, 45}, Ply{glass, 0.2, 20}, Ply{carbon, 0.1}}}, along, Offset{0.3}};
+  OrthotropicPly turned = glass;
+  turned.angle = 30;
+  const Layered layers{at(45), Layer{turned, 0.2, Gauss<2>{}}, Layer{carbon, 0.1, Gauss<2>{}}, along, Offset{0.3}};
+  check(stack, layers, 1e-14);
+  CHECK(stack.layers() == 3);
+  CHECK(stack.thickness() == layers.thickness());
+  CHECK(stack.density() == Approx(layers.density()).epsilon(1e-14));
+  CHECK_THROWS_WITH((Layered{PlyStack{std::vector<Ply<OrthotropicPly>>{}}, along}), ContainsSubstring("count"));
+  CHECK_THROWS_WITH((Layered{PlyStack{{Ply{carbon, 0.1}, Ply{carbon, -0.1}}}, along}), ContainsSubstring("thickness"));
   check(Layered{LayUp{carbon, 0.125, {30, 30, 30, 30}}, along}, Homogeneous{at(30).material, 0.5, Gauss<2>{}, along},
         1e-12);
   check(Layered{LayUp{carbon, 0.125, {30, -20, 90, 0}}, along},

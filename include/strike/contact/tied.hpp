@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <strike/ascending.hpp>
+#include <strike/contact/closest_point.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/pairing.hpp>
 #include <strike/contact/search.hpp>
@@ -221,5 +222,33 @@ class Tied {
   int sweeps_ = 0;
   std::size_t broken_ = 0;
 };
+
+/// Those of some nodes that lie within a distance of a surface and do not belong to it, in ascending order; `x` are the
+/// positions of all nodes. Such as the nodes of one part that are to be tied to another:
+///   Tied{nodes_near(mesh.nodes, surface_nodes(patch), surface, 0.5), surface, 0.5}
+inline std::vector<Index> nodes_near(const std::vector<Eigen::Vector3d>& x, std::vector<Index> nodes,
+                                     const Surface& surface, double distance) {
+  const std::vector<Face> faces = surface.faces();
+  const std::vector<Index> own = surface_nodes(faces);
+  nodes = detail::ascending(std::move(nodes));
+  std::erase_if(nodes, [&](Index i) { return std::binary_search(own.begin(), own.end(), i); });
+  std::vector<detail::FaceCorners> corners;
+  for (const Face& face : faces) corners.push_back(face.nodes);
+  detail::BucketSearch search;
+  search.sort(nodes, corners, x, distance);
+  std::vector<Index> near;
+  for (std::size_t s = 0; s < nodes.size(); ++s) {
+    const auto is_near = [&](Index f) {
+      const auto& c = corners[f];
+      const detail::Corners X{x[c[0]], x[c[1]], x[c[2]], x[c[3]]};
+      const detail::ClosestPoint point =
+          c[2] == c[3] ? detail::closest_on_triangle(X, x[nodes[s]]) : detail::closest_on_quadrilateral(X, x[nodes[s]]);
+      return point.distance2 <= distance * distance;
+    };
+    const auto faces_near = search.near(s);
+    if (std::any_of(faces_near.begin(), faces_near.end(), is_near)) near.push_back(nodes[s]);
+  }
+  return near;
+}
 
 }  // namespace strike

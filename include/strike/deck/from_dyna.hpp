@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include <strike/deck/code.hpp>
+#include <strike/deck/laminate.hpp>
 #include <strike/deck/scene.hpp>
 #include <strike/error.hpp>
 #include <strike/input/dyna_cards.hpp>
@@ -46,11 +48,6 @@ class FromDyna {
     if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
     if (deck.contact_stiffness != 0.1) replaced({"SLSFAC: the springs of contacts are as stiff as the step allows."});
     if (!deck.detonations.empty()) cannot({"*INITIAL_DETONATION: nothing detonates."});
-    if (!deck.shells.empty())
-      cannot({"The values of ", std::to_string(deck.shells.size()),
-              " shells of their own: those of their section count."});
-    for (const auto& composite : deck.composites)
-      cannot({"The layers of *PART_COMPOSITE ", std::to_string(composite.part), " are left out."});
     for (std::size_t i = 0; i < deck.velocities.size(); ++i) add_velocity(i);
     for (std::size_t i = 0; i < deck.supports.size(); ++i) add_support(i);
     for (std::size_t i = 0; i < deck.motions.size(); ++i) add_motion(i);
@@ -58,11 +55,13 @@ class FromDyna {
     for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) add_nodal_force(i);
     for (std::size_t i = 0; i < deck.pressures.size(); ++i) add_pressure(i);
     for (std::size_t i = 0; i < deck.walls.size(); ++i) add_wall(i);
-    for (std::size_t i = 0; i < deck.obstacles.size(); ++i)
-      cannot({"A rigid sphere or cylinder of *RIGIDWALL_GEOMETRIC is left out."});
+    for (std::size_t i = 0; i < deck.obstacles.size(); ++i) add_obstacle(i);
+    for (std::size_t i = 0; i < deck.contacts.size(); ++i)
+      if (deck.contacts[i].is_tied()) add_tie(i);
     add_contacts();
     for (const std::string& warning : deck.warnings)
-      (is_harmless(warning) ? made_.replaced : made_.cannot).push_back(warning);
+      if (warning.find("(a RigidWall has no edges)") == warning.npos)  // told where the wall is
+        (is_harmless(warning) ? made_.replaced : made_.cannot).push_back(warning);
   }
   DeckScene made() { return std::move(made_); }
 
@@ -114,12 +113,49 @@ class FromDyna {
   void add_part(const NamedSet& part) {
     const PartCells cells = deck_.part(part.number);
     const MaterialCard* const material = material_of(part.number);
+    if (is_laminate(part.number, material)) return add_laminate(part, cells);
     if (!material) {
       cannot({name_of(part), " has no material that is known here: its elements are left out."});
       return;
     }
     std::visit([&](const auto& law) { add_part(part, cells, *card_of(part.number), *material, law); },
                material->material);
+  }
+  bool is_laminate(FileNumber part, const MaterialCard* material) const {
+    return (material && std::holds_alternative<PlyMaterial>(material->material)) ||
+           std::any_of(deck_.composites.begin(), deck_.composites.end(),
+                       [&](const CompositeCard& composite) { return composite.part == part; });
+  }
+  void add_laminate(const NamedSet& part, const PartCells& cells) {
+    const PartCard& card = *card_of(part.number);
+    if (!cells.hexahedra.empty() || !cells.tetrahedra.empty())
+      cannot({name_of(part), ": plies are of plates, its solids are left out."});
+    if (cells.quadrilaterals.empty() && cells.triangles.empty()) return;
+    const LaminateOfPart laminate(deck_, part, cells, card);
+    for (const std::string& sentence : laminate.replaced) replaced({name_of(part), ": ", sentence});
+    for (const std::string& sentence : laminate.cannot) cannot({name_of(part), ": ", sentence});
+    if (!laminate.known) return;
+    tell_plates(part, card, laminate.element_form);
+    for (std::size_t k = 0; k < laminate.plies.size(); ++k) {
+      const std::string name = LaminateOfPart::name_of(laminate.materials[k]);
+      if (std::any_of(made_.materials.begin(), made_.materials.end(), [&](const auto& m) { return m.name == name; }))
+        continue;
+      made_.materials.push_back({name, code_of(laminate.plies[k].material)});
+      becomes({"Material ", std::to_string(laminate.materials[k]), ": ", name, ", ", made_.materials.back().code});
+    }
+    const Layered section{PlyStack{laminate.plies}, Offset{laminate.offset}, FibreDirection{laminate.direction}};
+    if (!cells.quadrilaterals.empty())
+      place(part, Plate4{}, section, laminate.code(), cells.quadrilaterals, "quadrilaterals", Erosion{});
+    if (!cells.triangles.empty())
+      place(part, Plate3{}, section, laminate.code(), cells.triangles, "triangles", Erosion{});
+  }
+  /// The element and the hourglass control that plates are asked for and do not have.
+  void tell_plates(const NamedSet& part, const PartCard& card, FileNumber form) {
+    if (form != 2)
+      replaced(
+          {name_of(part), ": plates of one point with hourglass control stand for ELFORM ", std::to_string(form), "."});
+    if (card.hourglass != 0 || deck_.hourglass_control)
+      replaced({name_of(part), ": the usual hourglass control of Plate4 stands for that of the deck."});
   }
   /// f(the material of a card, the law by which its elements are deleted). False: there is none.
   template <class Card, class F>
@@ -145,15 +181,24 @@ class FromDyna {
       cannot({"Of *MAT_ADD_EROSION of material ", std::to_string(number), " the strain EFFEPS alone counts."});
     const auto with_law = [&](const auto& law) {
       if constexpr (has_plastic_strain<Solid<Eos, std::remove_cvref_t<decltype(law)>>>()) {
-        if (erodes && std::isfinite(erosion->strain))
-          return f(Solid{eos, law, FailureStrain{erosion->strain}}, Erosion{});
+        if (erodes && std::isfinite(erosion->strain)) {
+          FailureStrain limit{erosion->strain};
+          if constexpr (requires { *m.failure; })
+            if (m.failure) limit.failure_strain = std::min(limit.failure_strain, m.failure->failure_strain);
+          if constexpr (requires { m.damage; })
+            if (m.fractures()) cannot({"The damage D1 to D5 of *MAT_JOHNSON_COOK is left out beside EFFEPS."});
+          return f(Solid{eos, law, limit}, Erosion{});
+        }
       } else if (erodes) {
         cannot({"*MAT_ADD_EROSION of material ", std::to_string(number), ", which does not flow, is left out."});
       }
       if constexpr (requires { *m.failure; })
         if (m.failure) return f(Solid{eos, law, *m.failure}, Erosion{});
-      if constexpr (requires { m.damage; })
-        if (m.damage[0] != 0 || m.damage[1] != 0) cannot({"The damage D1 to D5 of *MAT_JOHNSON_COOK is left out."});
+      if constexpr (requires { m.damage; }) {
+        if (m.fractures()) return f(Solid{eos, law, m.fracture()}, Erosion{});
+        if (m.damage != std::array<double, 5>{})
+          cannot({"D3 to D5 of *MAT_JOHNSON_COOK are left out: without D1 and D2 nothing breaks."});
+      }
       f(Solid{eos, law}, NoErosion{});
     };
     if constexpr (requires { *m.rate; })
@@ -226,12 +271,25 @@ class FromDyna {
             "tetrahedra", removal);
   }
 
+  /// That of all its plates on their own cards, else T1 of its section.
+  double thickness_of(const NamedSet& part, const SectionCard& section, const PartCells& cells) {
+    const auto own = common_values(deck_, part, cells.quadrilaterals.size() + cells.triangles.size());
+    if (!own) cannot({name_of(part), ": the values of shells of their own differ: those of the section count."});
+    if ((own && own->offset != 0) || section.reference != 0)
+      cannot({name_of(part), ": the nodes lie in the middle of the shells, NLOC and OFFSET are left out."});
+    if (own && own->corner_thickness[0] > 0) return own->corner_thickness[0];
+    const auto& t = section.corner_thickness;
+    if (std::any_of(t.begin(), t.end(), [&](double corner) { return corner != t[0]; }))
+      cannot({name_of(part), ": the thickness is that of the first corner, T1."});
+    return section.thickness;
+  }
   template <class M, class Removal>
   void add_plates(const NamedSet& part, const PartCells& cells, const PartCard& card, const M& material,
                   const Removal& removal) {
     if (cells.quadrilaterals.empty() && cells.triangles.empty()) return;
     const SectionCard* const section = numbered(deck_.sections, card.section);
-    if (!section || !(section->thickness > 0)) {
+    const double thickness = section ? thickness_of(part, *section, cells) : 0;
+    if (!(thickness > 0)) {
       cannot({name_of(part), " has no thickness: its shells are left out."});
       return;
     }
@@ -242,20 +300,13 @@ class FromDyna {
       if (std::abs(section->shear_factor - 5.0 / 6) > 1e-3)
         replaced(
             {name_of(part), ": the transverse shear factor 5/6 stands for SHRF ", code_of(section->shear_factor), "."});
-      if (card.hourglass != 0 || deck_.hourglass_control)
-        replaced({name_of(part), ": the usual hourglass control of Plate4 stands for that of the deck."});
-      const auto& t = section->corner_thickness;
-      if (std::any_of(t.begin(), t.end(), [&](double corner) { return corner != t[0]; }))
-        cannot({name_of(part), ": the thickness is that of the first corner, T1."});
-      if (section->reference != 0)
-        cannot({name_of(part), ": the nodes lie in the middle of the shells, NLOC is left out."});
+      tell_plates(part, card, section->element_form);
       const PlaneStress plane{material};
-      const std::string code = joined({"Homogeneous{", code_of(plane), ", ", code_of(section->thickness), "}"});
+      const std::string code = joined({"Homogeneous{", code_of(plane), ", ", code_of(thickness), "}"});
       if (!cells.quadrilaterals.empty())
-        place(part, Plate4{}, Homogeneous{plane, section->thickness}, code, cells.quadrilaterals, "quadrilaterals",
-              removal);
+        place(part, Plate4{}, Homogeneous{plane, thickness}, code, cells.quadrilaterals, "quadrilaterals", removal);
       if (!cells.triangles.empty())
-        place(part, Plate3{}, Homogeneous{plane, section->thickness}, code, cells.triangles, "triangles", removal);
+        place(part, Plate3{}, Homogeneous{plane, thickness}, code, cells.triangles, "triangles", removal);
     } else {
       cannot({name_of(part), ": no plates here are of its material: they are left out."});
     }
@@ -310,7 +361,7 @@ class FromDyna {
             {name_of(other), ": the density is that of part ", std::to_string(part.number), ", with which it moves."});
       const SectionCard* const section = numbered(deck_.sections, card_of(other.number)->section);
       const bool has_plates = !cells.quadrilaterals.empty() || !cells.triangles.empty();
-      if (has_plates && section) thickness = section->thickness;
+      if (has_plates && section) thickness = thickness_of(other, *section, cells);
       for (const auto& [has, of] : {std::pair{!cells.hexahedra.empty() || !cells.tetrahedra.empty(), 0},
                                     {!cells.quadrilaterals.empty(), 1},
                                     {!cells.triangles.empty(), 2}})
@@ -442,8 +493,12 @@ class FromDyna {
   }
   void add_wall(std::size_t i) {
     const WallCard& card = deck_.walls[i];
-    if (card.edges || card.motion || card.mass != 0) {
-      cannot({"A rigid wall that ends or moves is left out."});
+    if (card.motion || card.mass != 0 || card.speed != 0) {
+      cannot({"A rigid wall that moves is left out."});
+      return;
+    }
+    if (card.edges && (card.edges->length > 0 || card.edges->width > 0)) {
+      add_finite_wall(i);
       return;
     }
     if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
@@ -452,6 +507,142 @@ class FromDyna {
                                    std::to_string(i), "].nodes, ", code_of(card.friction), "}"})});
     becomes({"Rigid wall at ", code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
              code_of(card.friction)});
+  }
+
+  void add_finite_wall(std::size_t i) {
+    const WallCard& card = deck_.walls[i];
+    const std::string of = joined({"deck.walls[", std::to_string(i), "]"});
+    const std::vector<Eigen::Vector3d> corners = card.corners();
+    if (corners.empty()) {
+      cannot({"A rigid wall that ends in one direction alone is left out: give it LENL and LENM."});
+      return;
+    }
+    add_obstacle(card.nodes, RigidSurface{corners, {Face{{0, 1, 2, 3}, 0}}}, card, of,
+                 joined({"RigidSurface{", of, ".corners(), {Face{{0, 1, 2, 3}, 0}}}"}));
+    becomes({"Rigid wall with four edges from ", code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
+             code_of(card.friction)});
+  }
+  void add_obstacle(std::size_t i) {
+    const ObstacleCard& card = deck_.obstacles[i];
+    if (card.motion) {
+      cannot({"A rigid sphere or cylinder that moves is left out."});
+      return;
+    }
+    const std::string of = joined({"deck.obstacles[", std::to_string(i), "]"});
+    if (const auto* const sphere = std::get_if<RigidSphere>(&card.shape)) {
+      add_obstacle(card.nodes, *sphere, card, of, joined({"std::get<RigidSphere>(", of, ".shape)"}));
+      becomes({"Rigid sphere of radius ", code_of(sphere->radius), " about ", code_of(sphere->centre)});
+    } else if (const auto* const cylinder = std::get_if<RigidCylinder>(&card.shape)) {
+      add_obstacle(card.nodes, *cylinder, card, of, joined({"std::get<RigidCylinder>(", of, ".shape)"}));
+      becomes({"Rigid cylinder of radius ", code_of(cylinder->radius), " about ", code_of(cylinder->point), " along ",
+               code_of(cylinder->axis)});
+    }
+  }
+  template <class Body, class Card>
+  void add_obstacle(const std::vector<Index>& nodes, const Body& body, const Card& card, const std::string& of,
+                    const std::string& code) {
+    if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
+    made_.obstacles.push_back(
+        {Contact{NodeToRigid{nodes, body}, Coulomb{card.friction}},
+         joined({"Contact{NodeToRigid{", of, ".nodes, ", code, "}, ", code_of(Coulomb{card.friction}), "}"})});
+  }
+
+  // Ties
+
+  /// Nodes and surfaces of a tie, each with its code, and the greatest thickness of their plates.
+  struct TieSide {
+    std::vector<Index> nodes = {};
+    std::optional<Surface> surface = {};
+    std::string code_of_nodes = {}, code_of_surface = {};
+    double thickness = 0;
+
+    void add(const Surface& more, const std::string& code) {
+      surface = surface ? *surface + more : more;
+      code_of_surface += (code_of_surface.empty() ? "" : " + ") + code;
+    }
+  };
+  /// `of` is its code.
+  TieSide side_of_tie(const ContactSide& side, const std::string& of) const {
+    TieSide made;
+    const std::vector<Face> faces = side.faces();
+    if (!faces.empty()) {
+      made.nodes = surface_nodes(faces), made.code_of_nodes = joined({"surface_nodes(", of, ".faces())"});
+      made.add(Surface{faces}, joined({"Surface{", of, ".faces()}"}));
+    } else if (!side.nodes.empty()) {
+      made.nodes = side.nodes, made.code_of_nodes = of + ".nodes";
+    } else if (!side.parts.empty()) {
+      made.nodes = surface_nodes(surface(deck_.cells_of(side.parts)));
+      made.code_of_nodes = joined({"surface_nodes(surface(deck.cells_of(", of, ".parts)))"});
+    }
+    std::vector<bool> is_of_side(deck_.mesh.nodes.size());
+    for (const Index node : made.nodes) is_of_side[node] = true;
+    const auto has_any = [&](const auto& cells) {
+      return std::any_of(cells.begin(), cells.end(), [&](const auto& corners) {
+        return std::any_of(corners.begin(), corners.end(), [&](Index node) { return is_of_side[node]; });
+      });
+    };
+    for (std::size_t p = 0; p < made_.parts.size(); ++p)
+      std::visit(
+          [&](const auto& part) {
+            const std::string& cells = made_.parts[p].cells;
+            const bool is_named =
+                std::find(side.parts.begin(), side.parts.end(), owners_[p].front()) != side.parts.end();
+            double thickness = 0;
+            if constexpr (requires { part.material.thickness(); }) thickness = part.material.thickness();
+            if (thickness > made.thickness && (is_named || (side.parts.empty() && has_any(part.cells))))
+              made.thickness = thickness;
+            if (!is_named) return;
+            if constexpr (requires { part.material.thickness(); })
+              made.add(plate_surface(part.cells, thickness, p),
+                       joined({"plate_surface(", cells, ", ", code_of(thickness), ", ", std::to_string(p), ")"}));
+            else
+              made.add(solid_surface(part.cells, p), joined({"solid_surface(", cells, ", ", std::to_string(p), ")"}));
+          },
+          made_.parts[p].item);
+    if (side.thickness != 0)
+      made.thickness = std::abs(side.thickness);
+    else
+      made.thickness *= side.thickness_scale;
+    return made;
+  }
+  /// The nodes of the slave within 0.6 of the sum of the thicknesses, or a twentieth of the least diagonal of a face,
+  /// of the master are tied, as in LS-DYNA (Keyword User's Manual R13, volume I, *CONTACT_TIED).
+  void add_tie(std::size_t i) {
+    const ContactCard& card = deck_.contacts[i];
+    const std::string of = joined({"deck.contacts[", std::to_string(i), "]"});
+    if (card.birth > 0 || card.death < deck_.end_time) cannot({"Contact ", card.kind, " acts all over the run."});
+    if (card.kind.find("SHELL_EDGE") != card.kind.npos) cannot({"Contact ", card.kind, " ties no rotations."});
+    const auto is_rigid = [&](FileNumber part) { return rigid(part) != nullptr; };
+    for (const ContactSide* const side : {&card.slave, &card.master})
+      if (std::any_of(side->parts.begin(), side->parts.end(), is_rigid)) {
+        cannot({"Contact ", card.kind, " of a rigid part is left out: give its nodes to the part."});
+        return;
+      }
+    const TieSide slave = side_of_tie(card.slave, of + ".slave"), master = side_of_tie(card.master, of + ".master");
+    if (slave.nodes.empty() || !master.surface) {
+      cannot(
+          {"Contact ", card.kind, " is left out: give it the nodes or parts, and the faces or parts, that it ties."});
+      return;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const Face& face : master.surface->faces()) {
+      const auto x = [&](std::size_t corner) { return deck_.mesh.nodes[face.nodes[corner]]; };
+      least = std::min({least, (x(2) - x(0)).norm(), (x(3) - x(1)).norm()});
+    }
+    double reach = 0.6 * (slave.thickness + master.thickness);
+    if (card.slave.thickness >= 0 && card.master.thickness >= 0) reach = std::max(reach, 0.05 * least);
+    const std::vector<Index> nodes = nodes_near(deck_.mesh.nodes, slave.nodes, *master.surface, reach);
+    if (nodes.empty()) {
+      cannot({"Contact ", card.kind, " ties nothing: no node is within ", text(reach), " of its master."});
+      return;
+    }
+    const double tolerance = 1.001 * reach;  // apart from rounding
+    made_.ties.push_back(
+        {Tied{nodes, *master.surface, tolerance},
+         joined({"Tied{nodes_near(deck.mesh.nodes, ", slave.code_of_nodes, ", ", master.code_of_surface, ", ",
+                 code_of(reach), "), ", master.code_of_surface, ", ", code_of(tolerance), "}"})});
+    becomes({"Contact ", card.kind, ": of ", std::to_string(slave.nodes.size()), " nodes, ",
+             std::to_string(nodes.size()), " within ", text(reach), " of the master are tied, at their distance"});
   }
 
   // Contacts
@@ -482,10 +673,7 @@ class FromDyna {
     std::vector<Touching> all;
     std::set<std::array<std::size_t, 2>> taken;
     for (const ContactCard& card : deck_.contacts) {
-      if (card.is_tied()) {
-        cannot({"Contact ", card.kind, " is left out."});
-        continue;
-      }
+      if (card.is_tied()) continue;
       if (card.birth > 0 || card.death < deck_.end_time) cannot({"Contact ", card.kind, " acts all over the run."});
       if (card.slave.thickness != 0 || card.master.thickness != 0 || card.slave.thickness_scale != 1 ||
           card.master.thickness_scale != 1)

@@ -28,6 +28,8 @@ class DeckProgram {
          "strike;\n"});
     add({"int main() try {"});
     add({"  const DynaDeck deck = read_dyna(\"", escaped(deck), "\");"});
+    for (const StatedMaterial& material : scene.materials)
+      add_wrapped({"  const auto ", material.name, " = ", material.code, ";"}, 6);
     std::set<std::string> known;
     for (const StatedPart& part : scene.parts)
       if (known.insert(part.name).second) add_wrapped({"  const auto ", part.name, " = ", part.material, ";"}, 6);
@@ -39,7 +41,8 @@ class DeckProgram {
                               part.removal.empty() ? "" : ", ", part.removal, "}"}));
     add_codes(scene.bodies, items), add_codes(scene.velocities, items), add_codes(scene.supports, items);
     add_codes(scene.motions, items), add_codes(scene.body_forces, items), add_codes(scene.nodal_forces, items);
-    add_codes(scene.pressures, items), add_codes(scene.walls, items), add_codes(scene.contacts, items);
+    add_codes(scene.pressures, items), add_codes(scene.walls, items);
+    add_codes(scene.obstacles, items), add_codes(scene.ties, items), add_codes(scene.contacts, items);
     add({"  Explicit run{Scene{deck.mesh.nodes,"});
     for (std::size_t i = 0; i < items.size(); ++i)
       add_wrapped({"                     ", items[i], i + 1 < items.size() ? "," : "},"}, 25);

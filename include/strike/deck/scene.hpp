@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -10,7 +11,9 @@
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>
 #include <strike/contact/pairing.hpp>
+#include <strike/contact/rigid.hpp>
 #include <strike/contact/rigid_wall.hpp>
+#include <strike/contact/tied.hpp>
 #include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/erosion.hpp>
 #include <strike/dynamics/explicit_options.hpp>
@@ -33,7 +36,9 @@
 #include <strike/material/eos/gruneisen.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
+#include <strike/material/failure/johnson_cook_failure.hpp>
 #include <strike/material/fluid.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/material/solid.hpp>
@@ -55,6 +60,8 @@ using DeckCurve = Solid<LinearEos, TabulatedHardening>;
 using DeckFailingCurve = Solid<LinearEos, TabulatedHardening, FailureStrain>;
 template <class M>
 using DeckSection = Homogeneous<PlaneStress<M>>;
+using DeckPly = FailingPly<ChangChang>;
+using DeckLaminate = Layered<PlyStack<DeckPly>, Offset, FibreDirection>;
 
 /// A part of a deck.
 using DeckPart = AnyPart<
@@ -67,12 +74,19 @@ using DeckPart = AnyPart<
     PartOf<Plate4<>, DeckSection<Elastic>>, PartOf<Plate4<>, DeckSection<DeckMetal>>,
     PartOf<Plate4<>, DeckSection<DeckFailingMetal>, Erosion>, PartOf<Plate4<>, DeckSection<DeckCurve>>,
     PartOf<Plate4<>, DeckSection<DeckFailingCurve>, Erosion>, PartOf<Plate3<>, DeckSection<Elastic>>,
-    PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>>;
+    PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>,
+    PartOf<Plate4<>, DeckLaminate, Erosion>,
+    PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook, JohnsonCookFailure>, Erosion>>;
 
 using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;
 using DeckMotion = std::variant<PrescribedVelocity<CardHistory>, PrescribedDisplacement<CardHistory>>;
 using DeckContact = Contact<Everything, Penalty, Coulomb>;
+template <class Body>
+using DeckContactWith = decltype(Contact{NodeToRigid{std::vector<Index>{}, std::declval<Body>()}, Coulomb{}});
+/// A rigid wall that is round, or ends.
+using DeckObstacle =
+    std::variant<DeckContactWith<RigidSphere>, DeckContactWith<RigidCylinder>, DeckContactWith<RigidSurface>>;
 
 /// An item of a deck's scene with the C++ that makes it.
 template <class Item>
@@ -87,11 +101,17 @@ struct StatedPart {
   std::string name, element, material, cells, removal;  ///< of its material, and the code of its pieces
 };
 
+/// A material that several parts, or plies, share, by its name in the program.
+struct StatedMaterial {
+  std::string name, code;
+};
+
 /// The scene that a deck describes, in the deck's units: items in lists, each with the code that makes it from the
 /// deck, and sentences for its user.
 struct DeckScene {
   std::string title;
   std::vector<Eigen::Vector3d> nodes;
+  std::vector<StatedMaterial> materials = {};
   std::vector<StatedPart> parts = {};
   std::vector<Stated<DeckBody>> bodies = {};
   std::vector<Stated<InitialVelocity>> velocities = {};
@@ -101,6 +121,8 @@ struct DeckScene {
   std::vector<Stated<NodalForce<CardHistory>>> nodal_forces = {};
   std::vector<Stated<Pressure<CardHistory>>> pressures = {};
   std::vector<Stated<RigidWall>> walls = {};
+  std::vector<Stated<DeckObstacle>> obstacles = {};
+  std::vector<Stated<Tied>> ties = {};
   std::vector<Stated<DeckContact>> contacts = {};
   ExplicitOptions options = {};
   double end = 0;                             ///< [time]
@@ -112,10 +134,21 @@ struct DeckScene {
   std::vector<std::string> replaced = {};  ///< another law or element stands for what the deck asks for
   std::vector<std::string> cannot = {};    ///< what is left out; the answer would be another one
 
-  /// Parts, rigid bodies, initial velocities, supports, motions, loads, walls and contacts, in the order of the deck.
+  /// Parts, rigid bodies, initial velocities, supports, motions, loads, walls, ties and contacts, in the order of the
+  /// deck.
   auto scene() const {
-    return Scene{nodes,          items(parts),       items(bodies),       items(velocities), items(supports),
-                 items(motions), items(body_forces), items(nodal_forces), items(pressures),  items(walls),
+    return Scene{nodes,
+                 items(parts),
+                 items(bodies),
+                 items(velocities),
+                 items(supports),
+                 items(motions),
+                 items(body_forces),
+                 items(nodal_forces),
+                 items(pressures),
+                 items(walls),
+                 items(obstacles),
+                 items(ties),
                  items(contacts)};
   }
 

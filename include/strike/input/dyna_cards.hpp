@@ -20,6 +20,7 @@
 #include <strike/material/explosive.hpp>
 #include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
+#include <strike/material/failure/johnson_cook_failure.hpp>
 #include <strike/material/failure/principal_stress.hpp>
 #include <strike/material/failure/tuler_butcher.hpp>
 #include <strike/material/orthotropic_ply.hpp>
@@ -92,11 +93,29 @@ struct HydroMaterial {
   std::optional<FailureStrain> failure = {};
 };
 
-/// *MAT_JOHNSON_COOK: `Solid{deck.eos<GruneisenEos>(part), m.strength}`.
+/// *MAT_JOHNSON_COOK: `Solid{deck.eos<GruneisenEos>(part), m.strength}`, or with damage
+/// `Solid{deck.eos<GruneisenEos>(part), m.strength, m.fracture()}`.
 struct JohnsonCookMaterial {
   double density;
   JohnsonCook strength;          ///< heated by all of its plastic work, 1/(RO CP)
   std::array<double, 5> damage;  ///< D1 to D5 of the strain at fracture
+  double least_fracture = 1e-6;  ///< EFMIN, lower bound of that strain
+
+  /// D1 or D2 is given.
+  bool fractures() const { return damage[0] != 0 || damage[1] != 0; }
+  /// With the reference rate and the temperatures of the strength.
+  JohnsonCookFailure fracture() const {
+    const auto& [D1, D2, D3, D4, D5] = damage;
+    return {D1,
+            D2,
+            D3,
+            D4,
+            strength.reference_rate,
+            D5,
+            strength.initial_temperature,
+            strength.melting_temperature,
+            least_fracture};
+  }
 };
 
 /// *MAT_NULL: `Fluid{deck.eos<PolynomialEos>(part), Newtonian{m.viscosity}}`.

@@ -12,6 +12,7 @@
 #include <strike/input/dyna_load_cards.hpp>
 #include <strike/input/source.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/surface.hpp>
 
 // The walls and contacts of an LS-DYNA deck as values (LS-DYNA Keyword User's Manual R13, volume I, *RIGIDWALL and
 // *CONTACT). Numbers are in the units of the deck.
@@ -69,6 +70,12 @@ struct ContactSide {
   double stiffness = 1;        ///< SFS or SFM: scale of the penalty
   double thickness = 0;        ///< SST or MST, 0 for that of the section [length]
   double thickness_scale = 1;  ///< SFST or SFMT
+
+  std::vector<Face> faces() const {
+    std::vector<Face> all;
+    for (const auto& corners : segments) all.push_back({corners, 0});
+    return all;
+  }
 };
 
 /// *CONTACT_AUTOMATIC_..., _ERODING_..., _TIED_... and those without: SURFACE_TO_SURFACE, NODES_TO_SURFACE and so on.

@@ -43,8 +43,9 @@ class Layered {
   static constexpr bool directed = (detail::Piece<Pieces>::is_direction + ... + 0) == (has_fibres ? 1 : 0),
                         shear_serves = !has_fibres || FibreShearPolicy<Shear>;
   static_assert(known,
-                "strike: a Layered is made of Layer{material, thickness}, bottom first, Plies{layer, count} or "
-                "LayUp{ply, thickness, {angles}}; then an Offset{height}, one of EnergyShear, EffectiveShear, "
+                "strike: a Layered is made of Layer{material, thickness}, bottom first, Plies{layer, count}, "
+                "LayUp{ply, thickness, {angles}} or PlyStack{{Ply{...}, ...}}; then an Offset{height}, one of "
+                "EnergyShear, EffectiveShear, "
                 "FiveSixthsShear and InstantaneousShear, and of plies with fibres a FibreDirection{vector}.");
   static_assert(!known || has_layers, "strike: a Layered needs at least one Layer{material, thickness}.");
   static_assert(unique, "strike: a Layered takes one shear policy and one Offset at most.");
@@ -186,8 +187,8 @@ class Layered {
       if (!warning.empty() && all.find(warning) == std::string::npos) all += (all.empty() ? "" : " ") + warning;
     };
     each_piece([&](auto i) {
-      const auto& material = layer<i>().material;
-      if constexpr (detail::Warns<std::remove_cvref_t<decltype(material)>>) add(material.warning());
+      if constexpr (detail::Warns<std::remove_cvref_t<decltype(layer<i>(0).material)>>)
+        for (std::size_t p = 0; p < detail::get<i>(measured_).size(); ++p) add(layer<i>(p).material.warning());
     });
     if constexpr (detail::warns_of_shear<Shear> && !has_fibres) add(shear_.warning(elastic_shear_, length));
     return all;
@@ -223,10 +224,9 @@ class Layered {
     each_piece([&](auto i) {
       auto& layers = detail::get<i>(state.pieces);
       if constexpr (is_plies[i]) layers.resize(detail::get<i>(measured_).size());
-      const auto& material = layer<i>().material;
-      if constexpr (detail::Begins<std::remove_cvref_t<decltype(material)>>)
-        for (auto& own : layers)
-          for (auto& point : own.points) material.begin(point);
+      if constexpr (detail::Begins<std::remove_cvref_t<decltype(layer<i>(0).material)>>)
+        for (std::size_t p = 0; p < layers.size(); ++p)
+          for (auto& point : layers[p].points) layer<i>(p).material.begin(point);
     });
     if constexpr (instantaneous) state.shear_stiffness = T(shear_stiffness_);
   }
@@ -360,11 +360,11 @@ class Layered {
         if constexpr (turns<std::remove_cvref_t<decltype(measured[p])>>) {
           detail::Resultants<T> of_layer;
           const PlaneTurn<double>& turn = measured[p].turn;
-          advance<T>(layer<i>().material, measured[p], own[p], turn.into(rate.membrane), turn.into(curvature), dt,
+          advance<T>(layer<i>(p).material, measured[p], own[p], turn.into(rate.membrane), turn.into(curvature), dt,
                      of_layer, linear(i, p));
           add_turned(measured[p], of_layer, sum);
         } else {
-          advance<T>(layer<i>().material, measured[p], own[p], rate.membrane, curvature, dt, sum, linear(i, p));
+          advance<T>(layer<i>(p).material, measured[p], own[p], rate.membrane, curvature, dt, sum, linear(i, p));
         }
     });
     if constexpr (instantaneous)
@@ -438,10 +438,11 @@ class Layered {
   static void each_piece(F f) {
     detail::each_layered_piece<Pieces...>(f);
   }
+  /// Layer p of piece i.
   template <std::size_t i>
-  const auto& layer() const {
+  const auto& layer(std::size_t p) const {
     const auto& piece = detail::get<i>(pieces_);
-    return detail::Piece<std::remove_cvref_t<decltype(piece)>>::layer(piece);
+    return detail::Piece<std::remove_cvref_t<decltype(piece)>>::layer(piece, p);
   }
   /// f(material, measured, state) for every layer, bottom to top.
   template <class S, class F>
@@ -449,7 +450,7 @@ class Layered {
     each_piece([&](auto i) {
       const auto& measured = detail::get<i>(measured_);
       auto& own = detail::get<i>(state.pieces);
-      for (std::size_t p = 0; p < measured.size(); ++p) f(layer<i>().material, measured[p], own[p]);
+      for (std::size_t p = 0; p < measured.size(); ++p) f(layer<i>(p).material, measured[p], own[p]);
     });
   }
 
@@ -461,16 +462,19 @@ class Layered {
       if constexpr (is_plies[i]) detail::check_ranges(piece);
       const std::size_t count = detail::Piece<std::remove_cvref_t<decltype(piece)>>::count(piece);
       if constexpr (is_plies[i]) detail::get<i>(measured_).resize(count);
-      add_thickness(count, layer<i>().thickness);
+      if constexpr (detail::Piece<std::remove_cvref_t<decltype(piece)>>::differ)
+        for (std::size_t p = 0; p < count; ++p) add_thickness(1, layer<i>(p).thickness);
+      else
+        add_thickness(count, layer<i>(0).thickness);
     });
     if (!(thickness_ > 0)) throw Error("strike: a section has no thickness: give one of its layers more than 0.");
 
     double bottom = offset - 0.5 * thickness_;
     std::vector<detail::LaminaStiffness> laminae;  // of a section with fibres
     each_piece([&](auto i) {
-      const auto& [material, h, rule] = layer<i>();
-      const PlaneModuli<double> moduli = detail::moduli_at_rest(material);
       for (std::size_t p = 0; p < detail::get<i>(measured_).size(); ++p) {
+        const auto& [material, h, rule] = layer<i>(p);
+        const PlaneModuli<double> moduli = detail::moduli_at_rest(material);
         auto& measured = detail::get<i>(measured_)[p];
         const double z = bottom + 0.5 * h;
         measured.template place<std::remove_cvref_t<decltype(rule)>>(z, h);

@@ -2,6 +2,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -15,8 +16,8 @@
 #include <strike/section/thickness_rule.hpp>
 #include <strike/section/transverse_shear.hpp>
 
-// The pieces of a section: layers from the bottom to the top, each a Layer, some Plies or a LayUp; then at most one
-// shear policy and one Offset, and of fibres their FibreDirection.
+// The pieces of a section: layers from the bottom to the top, each a Layer, some Plies, a LayUp or a PlyStack; then at
+// most one shear policy and one Offset, and of fibres their FibreDirection.
 namespace strike {
 
 /// Rule of integration over the thickness of a layer.
@@ -227,6 +228,52 @@ struct LayUp {
   }
 };
 
+/// A ply of a PlyStack.
+template <class M>
+struct Ply {
+  M material;
+  double thickness;  ///< [length]
+  double angle = 0;  ///< as of a LayUp [degrees]
+
+  void ranges(const auto& number) const {
+    number(material);
+    number("thickness", thickness, range::not_negative);
+    number("angle", angle, range::finite);
+  }
+};
+template <class M>
+Ply(M, double) -> Ply<M>;
+template <class M>
+Ply(M, double, double) -> Ply<M>;
+
+/// Plies whose number, thicknesses and angles, and the numbers of whose material, are known when the program runs,
+/// bottom first. Their state is allocated when a plate begins.
+///   Layered{PlyStack{{Ply{carbon, 0.125, 45}, Ply{carbon, 0.125, -45}, Ply{glass, 0.2}}}, FibreDirection{{1, 0, 0}}}
+template <class M, class R = Gauss<2>>
+struct PlyStack {
+  static_assert(detail::HasFibres<M> || detail::is_reported<M>() || !detail::is_plane_material<M>(),
+                "strike: the material of a PlyStack has fibres, such as OrthotropicPly; of any other write Layers, or "
+                "Plies{Layer{...}, count}.");
+
+  std::vector<Layer<M, R>> layers;
+  std::vector<double> angles;  ///< [degrees]
+
+  explicit PlyStack(const std::vector<Ply<M>>& bottom_first, const R& rule = {}) {
+    for (const Ply<M>& ply : bottom_first)
+      layers.push_back({ply.material, ply.thickness, rule}), angles.push_back(ply.angle);
+  }
+
+  void ranges(const auto& number) const {
+    number("count", layers.size(), range::between(1, 100000));
+    for (std::size_t k = 0; k < layers.size(); ++k) number(layers[k], detail::joined({"ply ", std::to_string(k)}));
+    number("angles", angles, range::finite);
+  }
+};
+template <class M>
+PlyStack(std::initializer_list<Ply<M>>) -> PlyStack<M>;
+template <class M, class R>
+PlyStack(std::initializer_list<Ply<M>>, R) -> PlyStack<M, R>;
+
 /// Offset of the middle of a section from the surface of the nodes.
 struct Offset {
   double height;  ///< [length]
@@ -273,6 +320,7 @@ template <class M, class R>
 struct Piece<Layer<M, R>> {
   static constexpr bool is_shear = false, is_offset = false, is_direction = false, has_fibres = HasFibres<M>;
   static constexpr bool is_layer = true, is_plies = false, is_known = true, is_sound = Layer<M, R>::sound;
+  static constexpr bool differ = false;  ///< its layers may
   static constexpr bool begins = Begins<M>, can_fail = CanFail<M>;
   static constexpr bool has_plastic_strain =
       requires(const typename M::template State<double> state) { state.equivalent_plastic_strain; };
@@ -284,7 +332,7 @@ struct Piece<Layer<M, R>> {
   using State = std::array<LayerState<Shear, Layer<M, R>, T>, 1>;
   template <class T>
   using LinearState = std::array<std::array<AlongEdges<T>, point_count<R>>, 1>;
-  static const Layer<M, R>& layer(const Layer<M, R>& layer) { return layer; }
+  static const Layer<M, R>& layer(const Layer<M, R>& layer, std::size_t) { return layer; }
   static std::size_t count(const Layer<M, R>&) { return 1; }
   /// Of layer k beside that of its material [degrees].
   static double angle(const Layer<M, R>&, std::size_t) { return 0; }
@@ -298,9 +346,16 @@ struct Piece<Plies<Layer<M, R>>> : Piece<Layer<M, R>> {
   using State = std::vector<LayerState<Shear, Layer<M, R>, T>>;
   template <class T>
   using LinearState = std::vector<std::array<AlongEdges<T>, point_count<R>>>;
-  static const Layer<M, R>& layer(const Plies<Layer<M, R>>& plies) { return plies.layer; }
+  static const Layer<M, R>& layer(const Plies<Layer<M, R>>& plies, std::size_t) { return plies.layer; }
   static std::size_t count(const Plies<Layer<M, R>>& plies) { return plies.count; }
   static double angle(const Plies<Layer<M, R>>&, std::size_t) { return 0; }
+};
+template <class M, class R>
+struct Piece<PlyStack<M, R>> : Piece<Plies<Layer<M, R>>> {
+  static constexpr bool differ = true;
+  static const Layer<M, R>& layer(const PlyStack<M, R>& plies, std::size_t k) { return plies.layers[k]; }
+  static std::size_t count(const PlyStack<M, R>& plies) { return plies.layers.size(); }
+  static double angle(const PlyStack<M, R>& plies, std::size_t k) { return plies.angles[k]; }
 };
 template <class M, std::size_t n, class R>
 struct Piece<LayUp<M, n, R>> : Piece<Layer<M, R>> {
@@ -310,7 +365,7 @@ struct Piece<LayUp<M, n, R>> : Piece<Layer<M, R>> {
   using State = std::array<LayerState<Shear, Layer<M, R>, T>, n>;
   template <class T>
   using LinearState = std::array<std::array<AlongEdges<T>, point_count<R>>, n>;
-  static const Layer<M, R>& layer(const LayUp<M, n, R>& plies) { return plies.layer; }
+  static const Layer<M, R>& layer(const LayUp<M, n, R>& plies, std::size_t) { return plies.layer; }
   static std::size_t count(const LayUp<M, n, R>&) { return n; }
   static double angle(const LayUp<M, n, R>& plies, std::size_t k) { return plies.angles[k]; }
 };

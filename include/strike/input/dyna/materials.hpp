@@ -326,6 +326,8 @@ inline void johnson_cook(File& file, Draft& draft) {
   heat.pass(1);
   for (std::size_t i = 0; i < 4; ++i) material.damage[i] = heat.number("D1 to D4");
   material.damage[4] = last.number("D5");
+  for (const char* name : {"C2/P/XNP", "EROD"}) file.ignore(last.number(name), name);
+  material.least_fracture = last.number("EFMIN", 1e-6);
   file.ignore_rest(head.card, law, last);
   add(file, draft, head, material, cutoff);
 }
