@@ -175,14 +175,23 @@ namespace {
 
 constexpr double half = 0.1, thickness = 0.004;
 const Elastic steel{.density = 7850, .youngs_modulus = 210e9, .poissons_ratio = 0.3};
-/// A clamped plate over [0, size]^2 with n cells to a side, or a quarter of one that is clamped at the far edges.
+/// Above the middle of a plate over [0, 2 half]^2.
 const Charge over{.mass = 0.05, .centre = {half, half, 0.5}, .start = -1e-4, .burst = Burst::surface};
 
 std::vector<Face> faces_of(const Mesh& mesh) { return quadrilateral_surface(mesh.quadrilaterals); }
-std::vector<Index> rim(const Mesh& mesh, double size) {
-  return nodes_where(mesh.nodes, [=](const Eigen::Vector3d& x) {
-    return std::min({x.x(), x.y(), size - x.x(), size - x.y()}) < 1e-9;
-  });
+const std::vector<Eigen::Vector3d> all_axes{unit(Axis::x), unit(Axis::y), unit(Axis::z)};
+template <class F>
+Support clamped(const Mesh& mesh, const F& where) {
+  return Support{nodes_where(mesh.nodes, where), all_axes, all_axes};
+}
+bool on_rim(const Eigen::Vector3d& x) { return std::min({x.x(), x.y(), 2 * half - x.x(), 2 * half - x.y()}) < 1e-9; }
+
+/// One type of scene for all tests, which costs the compiler most.
+auto plate(const Mesh& mesh, const Charge& charge, const std::vector<Support>& held, const Elastic& law, double h,
+           const auto&... method) {
+  return Explicit{Scene{mesh.nodes, Part{Plate4{}, Homogeneous{PlaneStress{law}, h}, mesh.quadrilaterals},
+                        AirBlast{faces_of(mesh), charge}, held},
+                  method...};
 }
 
 }  // namespace
@@ -191,8 +200,7 @@ TEST_CASE("air blast: momentum and work of free plates are those of the impulse,
   const Mesh mesh = rectangle({.size = {2 * half, 2 * half}, .cells = {4, 4}});
   Charge charge = over;
   charge.suction = false;
-  Explicit run{Scene{mesh.nodes, Part{Plate4{}, Homogeneous{PlaneStress{steel}, thickness}, mesh.quadrilaterals},
-                     AirBlast{faces_of(mesh), charge}}};
+  auto run = plate(mesh, charge, {}, steel, thickness);
   run.until(1.2e-3);
   double impulse = 0;  // of each face by the histories' closed integrals
   for (const Face& one : faces_of(mesh)) {
@@ -211,25 +219,18 @@ TEST_CASE("air blast: momentum and work of free plates are those of the impulse,
 }
 
 TEST_CASE("air blast: a quarter of a symmetric plate takes a quarter of the impulse and sinks as the whole") {
-  const auto sink = [](const Mesh& mesh, bool quarter) {
-    const std::vector<Index> edge = nodes_where(mesh.nodes, [&](const Eigen::Vector3d& x) {
-      return std::max(x.x(), x.y()) > 2 * half - 1e-9 || (!quarter && std::min(x.x(), x.y()) < 1e-9);
-    });
-    const auto on = [&](Axis axis) { return quarter ? nodes_where(mesh.nodes, on_plane(axis, half)) : edge; };
-    std::vector<Support> held{
-        Support{edge, {unit(Axis::x), unit(Axis::y), unit(Axis::z)}, {unit(Axis::x), unit(Axis::y), unit(Axis::z)}}};
-    if (quarter) {
-      held.push_back(Support{on(Axis::x), {unit(Axis::x)}, {unit(Axis::y), unit(Axis::z)}});
-      held.push_back(Support{on(Axis::y), {unit(Axis::y)}, {unit(Axis::x), unit(Axis::z)}});
-    }
-    Explicit run{Scene{mesh.nodes, Part{Plate4{}, Homogeneous{PlaneStress{steel}, thickness}, mesh.quadrilaterals},
-                       AirBlast{faces_of(mesh), over}, held}};
+  const auto sink = [](const Mesh& mesh, const std::vector<Support>& held) {
+    auto run = plate(mesh, over, held, steel, thickness);
     run.until(6e-4);
     return std::pair{run.nodes().x(nearest_node(mesh.nodes, {half, half, 0})).z(), run.energy().external};
   };
-  const auto [z, work] = sink(rectangle({.size = {2 * half, 2 * half}, .cells = {8, 8}}), false);
+  const Mesh whole = rectangle({.size = {2 * half, 2 * half}, .cells = {8, 8}});
+  const auto [z, work] = sink(whole, {clamped(whole, on_rim)});
   const Mesh corner = translated(rectangle({.size = {half, half}, .cells = {4, 4}}), {half, half, 0});
-  const auto [z_quarter, work_quarter] = sink(corner, true);
+  const auto on = [&](Axis axis) { return nodes_where(corner.nodes, on_plane(axis, half)); };
+  const auto [z_quarter, work_quarter] =
+      sink(corner, {clamped(corner, on_rim), Support{on(Axis::x), {unit(Axis::x)}, {unit(Axis::y), unit(Axis::z)}},
+                    Support{on(Axis::y), {unit(Axis::y)}, {unit(Axis::x), unit(Axis::z)}}});
   CHECK(z < -1e-4);
   CHECK(z_quarter == Approx(z).epsilon(1e-9));
   CHECK(4 * work_quarter == Approx(work).epsilon(1e-9));
@@ -237,14 +238,10 @@ TEST_CASE("air blast: a quarter of a symmetric plate takes a quarter of the impu
 
 TEST_CASE("air blast: turned scenes, other units, threads and mixed lanes; a checkpoint, and another charge") {
   const Mesh mesh = rectangle({.size = {2 * half, 2 * half}, .cells = {4, 4}});
-  const auto made = [&](const Mesh& m, const Charge& charge, const Elastic& law, double h, auto... method) {
-    return Explicit{Scene{m.nodes, Part{Plate4{}, Homogeneous{PlaneStress{law}, h}, m.quadrilaterals},
-                          AirBlast{faces_of(m), charge}, Clamped{rim(mesh, 2 * half)}},
-                    method...};
-  };
+  const std::vector<Support> held{clamped(mesh, on_rim)};
   constexpr double end = 5e-4;
   constexpr Index centre = 12;
-  auto run = made(mesh, over, steel, thickness);
+  auto run = plate(mesh, over, held, steel, thickness);
   run.until(end);
   const double z = run.nodes().x(centre).z();
   REQUIRE(z < -1e-4);
@@ -252,7 +249,7 @@ TEST_CASE("air blast: turned scenes, other units, threads and mixed lanes; a che
   const Eigen::Vector3d axis(1, 2, 3);
   Charge turned_charge = over;
   turned_charge.centre = rotated(Mesh{.nodes = {over.centre}}, axis, 0.7).nodes[0];
-  auto turned = made(rotated(mesh, axis, 0.7), turned_charge, steel, thickness);
+  auto turned = plate(rotated(mesh, axis, 0.7), turned_charge, held, steel, thickness);
   turned.until(end);
   const Eigen::Vector3d back = rotated(Mesh{.nodes = {turned.nodes().x(centre)}}, axis, -0.7).nodes[0];
   CHECK(back.z() == Approx(z).epsilon(1e-9));
@@ -262,30 +259,30 @@ TEST_CASE("air blast: turned scenes, other units, threads and mixed lanes; a che
   deck.units = {.mass = 1e3, .length = 1e-3, .time = 1, .pressure = 1e6};
   Mesh millimetres = mesh;
   for (Eigen::Vector3d& x : millimetres.nodes) x *= 1e3;
-  auto other =
-      made(millimetres, deck, {.density = 7.85e-9, .youngs_modulus = 210e3, .poissons_ratio = 0.3}, 1e3 * thickness);
+  auto other = plate(millimetres, deck, held, {.density = 7.85e-9, .youngs_modulus = 210e3, .poissons_ratio = 0.3},
+                     1e3 * thickness);
   other.until(end);
   CHECK(other.nodes().x(centre).z() == Approx(1e3 * z).epsilon(1e-9));
 
-  auto parallel = made(mesh, over, steel, thickness, OpenMP{2});
+  auto parallel = plate(mesh, over, held, steel, thickness, OpenMP{2});
   parallel.until(end);
   CHECK(parallel.positions() == run.positions());
-  auto mixed = made(mesh, over, steel, thickness, in<Pack<float>, double>);
+  auto mixed = plate(mesh, over, held, steel, thickness, in<Pack<float>, double>);
   mixed.until(end);
   CHECK(mixed.nodes().x(centre).z() == Approx(z).epsilon(1e-3));  // positions of elements in seven digits, z/half 0.005
 
   const ScratchFolder folder("air_blast");
-  auto first = made(mesh, over, steel, thickness);
+  auto first = plate(mesh, over, held, steel, thickness);
   first.until(end / 2);
   write_checkpoint(folder / "a", first);
-  auto second = made(mesh, over, steel, thickness);
+  auto second = plate(mesh, over, held, steel, thickness);
   read_checkpoint(folder / "a", second);
   second.until(end);
   first.until(end);
   CHECK(second.positions() == first.positions());
   Charge heavier = over;
   heavier.mass *= 1.1;
-  auto another = made(mesh, heavier, steel, thickness);
+  auto another = plate(mesh, heavier, held, steel, thickness);
   CHECK_THROWS_WITH(read_checkpoint(folder / "a", another), ContainsSubstring("is of another scene"));
 }
 

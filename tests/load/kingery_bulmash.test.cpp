@@ -75,13 +75,14 @@ TEST_CASE("blast on the ground: the examples of the United Nations' guideline, i
 }
 
 TEST_CASE("blast in free air: points of figure 2-7 of UFC 3-340-02") {
-  // As OpenRadioss holds that figure for /LOAD/PBLAST, points 101, 151 and 256 of 256 between 0.05 and 40 m/kg^(1/3),
-  // of which the last is read to 0.2 % only.
+  // As OpenRadioss holds that figure for /LOAD/PBLAST, points 101, 126, 151 and 256 of 256 between 0.05 and 40
+  // m/kg^(1/3), of which the last is read to 0.2 % only.
   struct Row {
     double Z, incident, reflected, incident_impulse, reflected_impulse, arrival, duration, accuracy;
   };
   for (const Row& row :
        {Row{0.68775961, 2087.884361, 14031.43756, 171.9072549, 924.682494, 0.2679566879, 0.7821009080, 1e-4},
+        Row{1.32450417, 495.5485104, 2184.129240, 135.6296916, 390.0668056, 0.9015990762, 1.726880058, 1e-4},
         Row{2.55076234, 114.4636405, 328.1923331, 74.19652032, 177.1908837, 3.010619241, 2.401365751, 1e-4},
         Row{40, 1.722264381, 3.483851995, 5.307544298, 9.168043966, 109.4991255, 6.164040874, 2e-3}}) {
     const BlastWave wave = Charge{.mass = 1, .centre = {0, 0, 0}}.wave(row.Z);
