@@ -266,7 +266,7 @@ TEST_CASE("deck: a blast is that of its card, in its units; kinds of bursts that
   CHECK(wave.arrival == Approx(1e3 * si.arrival));
 
   CHECK(has(blast_of("1", "2", segment).replaced, "*LOAD_BLAST_ENHANCED 7: its pressures are in 6894."));
-  CHECK(blast_of("3", "2", segment).replaced == std::vector<std::string>{});
+  CHECK(!has(blast_of("3", "2", segment).replaced, "pressures are in"));
   CHECK(has(blast_of("6", "3", segment).cannot, "*LOAD_BLAST_ENHANCED 7 is left out: its charge moves"));
   CHECK(blast_of("6", "4", segment).blasts.empty());
   CHECK(has(blast_of("6", "2", "").cannot, "has no faces"));

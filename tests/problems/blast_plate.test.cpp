@@ -107,7 +107,7 @@ Swing quarter(Index n) {
 }  // namespace
 
 TEST_CASE("blast on a clamped round plate: displacement of the middle and its time are those of the modes") {
-  const Swing exact = modal(6);
+  const Swing exact = modal(10);
   // The modes know neither shear, 16 D/(5/6 G h a^2) = 0.2 % of the displacement, nor the stretch, 0.47 (w/h)^2 = 0.3
   // %.
   REQUIRE(exact.largest < 0.085 * thickness);
@@ -116,5 +116,5 @@ TEST_CASE("blast on a clamped round plate: displacement of the middle and its ti
   CHECK(fine.largest == Approx(exact.largest).epsilon(0.005));
   CHECK(fine.time == Approx(exact.time).epsilon(0.01));  // where the peak is flat
   CHECK(fine.last == Approx(exact.last).epsilon(0.005));
-  CHECK(modal(3).largest == Approx(exact.largest).epsilon(1e-3));
+  CHECK(modal(5).largest == Approx(exact.largest).epsilon(1e-3));
 }
