@@ -61,11 +61,11 @@ TEST_CASE("air blast: the impulse of its history on a wall across its way is the
       CHECK(felt(blast, begins + 1e-3 * wave.duration * 1e-6).pressure ==
             Approx(wave.reflected_pressure).epsilon(1e-6));
       CHECK(felt(blast, begins + 1.001 * wave.duration).pressure == 0);
-      const int n = 4000;  // the midpoint rule: a^2/(24 n^2), a < 20
+      const int n = 1000;  // the midpoint rule: a^2/(24 n^2), a < 20
       double impulse = 0;
       for (int i = 0; i < n; ++i)
         impulse += felt(blast, begins + (i + 0.5) / n * wave.duration).pressure * wave.duration / n;
-      CHECK(impulse == Approx(wave.reflected_impulse).epsilon(1e-5));
+      CHECK(impulse == Approx(wave.reflected_impulse).epsilon(2e-5));
     }
 }
 
@@ -173,10 +173,10 @@ TEST_CASE("air blast: steps resolve the wave until it has passed, and not longer
 
 namespace {
 
-constexpr double half = 0.1, thickness = 0.004;
+constexpr double half = 0.2, thickness = 0.008;
 const Elastic steel{.density = 7850, .youngs_modulus = 210e9, .poissons_ratio = 0.3};
 /// Above the middle of a plate over [0, 2 half]^2.
-const Charge over{.mass = 0.05, .centre = {half, half, 0.5}, .start = -1e-4, .burst = Burst::surface};
+const Charge over{.mass = 0.05, .centre = {half, half, 0.5}, .start = -2.8e-4, .burst = Burst::surface};
 
 std::vector<Face> faces_of(const Mesh& mesh) { return quadrilateral_surface(mesh.quadrilaterals); }
 const std::vector<Eigen::Vector3d> all_axes{unit(Axis::x), unit(Axis::y), unit(Axis::z)};
@@ -197,16 +197,16 @@ auto plate(const Mesh& mesh, const Charge& charge, const std::vector<Support>& h
 }  // namespace
 
 TEST_CASE("air blast: momentum and work of free plates are those of the impulse, and balance") {
-  const Mesh mesh = rectangle({.size = {2 * half, 2 * half}, .cells = {4, 4}});
+  const Mesh mesh = rectangle({.size = {2 * half, 2 * half}, .cells = {2, 2}});
   Charge charge = over;
   charge.suction = false;
   auto run = plate(mesh, charge, {}, steel, thickness);
-  run.until(1.2e-3);
+  run.until(0.9e-3);
   double impulse = 0;  // of each face by the histories' closed integrals
   for (const Face& one : faces_of(mesh)) {
     const Eigen::Vector3d way = charge.centre - centroid(mesh.nodes, one);
     const BlastWave wave = charge.wave(way.norm());
-    REQUIRE(charge.start + wave.arrival + wave.duration < 1.2e-3);
+    REQUIRE(charge.start + wave.arrival + wave.duration < 0.9e-3);
     const double c = way.z() / way.norm(), area = area_vector(mesh.nodes, one).z();
     impulse += area * (wave.reflected_impulse * c * c + wave.incident_impulse * (1 + c - 2 * c * c));
   }
@@ -221,12 +221,12 @@ TEST_CASE("air blast: momentum and work of free plates are those of the impulse,
 TEST_CASE("air blast: a quarter of a symmetric plate takes a quarter of the impulse and sinks as the whole") {
   const auto sink = [](const Mesh& mesh, const std::vector<Support>& held) {
     auto run = plate(mesh, over, held, steel, thickness);
-    run.until(6e-4);
+    run.until(3e-4);
     return std::pair{run.nodes().x(nearest_node(mesh.nodes, {half, half, 0})).z(), run.energy().external};
   };
-  const Mesh whole = rectangle({.size = {2 * half, 2 * half}, .cells = {8, 8}});
+  const Mesh whole = rectangle({.size = {2 * half, 2 * half}, .cells = {4, 4}});
   const auto [z, work] = sink(whole, {clamped(whole, on_rim)});
-  const Mesh corner = translated(rectangle({.size = {half, half}, .cells = {4, 4}}), {half, half, 0});
+  const Mesh corner = translated(rectangle({.size = {half, half}, .cells = {2, 2}}), {half, half, 0});
   const auto on = [&](Axis axis) { return nodes_where(corner.nodes, on_plane(axis, half)); };
   const auto [z_quarter, work_quarter] =
       sink(corner, {clamped(corner, on_rim), Support{on(Axis::x), {unit(Axis::x)}, {unit(Axis::y), unit(Axis::z)}},
@@ -239,12 +239,12 @@ TEST_CASE("air blast: a quarter of a symmetric plate takes a quarter of the impu
 TEST_CASE("air blast: turned scenes, other units, threads and mixed lanes; a checkpoint, and another charge") {
   const Mesh mesh = rectangle({.size = {2 * half, 2 * half}, .cells = {4, 4}});
   const std::vector<Support> held{clamped(mesh, on_rim)};
-  constexpr double end = 5e-4;
+  constexpr double end = 1.5e-4;
   constexpr Index centre = 12;
   auto run = plate(mesh, over, held, steel, thickness);
   run.until(end);
   const double z = run.nodes().x(centre).z();
-  REQUIRE(z < -1e-4);
+  REQUIRE(z < -1e-5);
 
   const Eigen::Vector3d axis(1, 2, 3);
   Charge turned_charge = over;
@@ -269,7 +269,7 @@ TEST_CASE("air blast: turned scenes, other units, threads and mixed lanes; a che
   CHECK(parallel.positions() == run.positions());
   auto mixed = plate(mesh, over, held, steel, thickness, in<Pack<float>, double>);
   mixed.until(end);
-  CHECK(mixed.nodes().x(centre).z() == Approx(z).epsilon(1e-3));  // positions of elements in seven digits, z/half 0.005
+  CHECK(mixed.nodes().x(centre).z() == Approx(z).epsilon(1e-3));  // seven digits of 0.4, z above 1e-5
 
   const ScratchFolder folder("air_blast");
   auto first = plate(mesh, over, held, steel, thickness);
@@ -309,9 +309,9 @@ TEST_CASE("air blast ends with its faces: nodes of plates that are gone fly on a
   const BlastWave wave = over.wave(0.5);
   run.until(over.start + wave.arrival + 0.3 * wave.duration);
   REQUIRE(run.part<0>().deleted() == 8);
-  const double far = run.nodes().v(14).z(), near = run.nodes().v(10).z();
+  const double far = run.nodes().v(14).z(), momentum = run.momentum().z();
   run.until(over.start + wave.arrival + 0.6 * wave.duration);
   CHECK(run.nodes().v(14).z() == far);
-  CHECK(run.nodes().v(10).z() < near);
+  CHECK(run.momentum().z() < momentum);  // of the others
   CHECK(std::abs(run.energy().error()) < 0.01);
 }

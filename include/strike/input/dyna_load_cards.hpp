@@ -120,7 +120,7 @@ struct BlastCard {
     for (const auto& corners : segments) all.push_back({corners, 0});
     return all;
   }
-  /// Of BLAST 1 and 2.
+  /// The charge, of BLAST 1 or 2.
   Charge charge() const {
     return {.mass = mass,
             .centre = centre,

@@ -135,7 +135,7 @@ class AirBlast {
  private:
   static constexpr double air = 101325;  // [Pa]
 
-  /// Of the corners of a face.
+  /// Mean position of the corners of a face.
   template <class N>
   typename N::Vector middle(const N& nodes, std::size_t i) const {
     const auto& corner = faces_[i].nodes;
@@ -148,7 +148,7 @@ class AirBlast {
     const std::string sentence = error.what();
     throw Error(detail::joined({"strike: face ", std::to_string(face), " of AirBlast: ", sentence.substr(8)}));
   }
-  /// A while after the arrival.
+  /// The pressure on a face a while after the arrival.
   template <class N>
   typename N::Number pressure(const N& nodes, std::size_t i, const typename N::Vector& normal, double after) const {
     using T = typename N::Number;

@@ -49,7 +49,7 @@ class LoadedFaces {
       forces_[i] = force.template cast<double>();
     }
   }
-  /// Of the forces as applied last.
+  /// Power of the forces as applied last.
   template <class N>
   double power(const N& nodes) const {
     double sum = 0;
