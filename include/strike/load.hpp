@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/load/air_blast.hpp>
 #include <strike/load/body_force.hpp>
 #include <strike/load/curve.hpp>
 #include <strike/load/initial_velocity.hpp>

@@ -53,6 +53,7 @@ auto scene() {
       BodyForce{{0, 0, 1}},
       NodalForce{{1, 2, 3}, above},
       Pressure{surface(block), Constant{2}},
+      AirBlast{surface(block), Charge{.mass = 1, .centre = {0, 0, 9}, .start = -1}},
       PrescribedVelocity{Axis::x, {4}, Constant{.01}},
       PrescribedDisplacement{{0, 1, 0}, {6}, Constant{.01}},
       Support{foot, {unit(Axis::z)}, {unit(Axis::x)}},
@@ -106,6 +107,8 @@ TEST_CASE("conformance: wrong numbers of loads and supports are refused") {
   refuses(BodyForce{{1, 2, 3}, Constant{.5}});
   refuses(NodalForce{{1, 2, 3}, above, Constant{.5}});
   refuses(Pressure{surface(block), Constant{2}});
+  refuses(
+      AirBlast{surface(block), Charge{.mass = 1, .centre = {1, 2, 9}, .start = -1, .units = BlastUnits{}, .end = 1}});
   refuses(PrescribedVelocity{{1, 2, 0}, {4}, Constant{.01}});
   refuses(PrescribedDisplacement{{0, 1, 0}, {6}, Constant{.01}});
   refuses(Support{foot, {unit(Axis::z)}, {unit(Axis::x)}});

@@ -495,6 +495,38 @@ TEST_CASE("deck: plates of other elements are told") {
   CHECK(!has(scene_of(three_metals + ended).replaced, "ELFORM"));
 }
 
+TEST_CASE("deck: a blast is that of its card, in its units; kinds of bursts that are not there are told") {
+  const auto blast_of = [](const std::string& unit, const std::string& burst, const std::string& segments) {
+    return scene_of(three_metals + ended + "*LOAD_BLAST_ENHANCED\n7,2.5,0,0,900,-.5," + unit + "," + burst +
+                    "\n,,,,,3.,1\n" + (burst == "3" || burst == "4" ? "\n" : "") + segments);
+  };
+  const std::string segment = "*LOAD_BLAST_SEGMENT\n7,21,22,23,24\n";
+  const DeckScene scene = blast_of("6", "1", segment);
+  CHECK(scene.cannot == std::vector<std::string>{});
+  CHECK(scene.blasts.at(0).code == "AirBlast{deck.blasts[0].faces(), deck.blasts[0].charge()}");
+  CHECK(has(scene.becomes, "Blast of 2.5 of TNT on the ground at {0, 0, 900} on 1 faces"));
+  CHECK_THAT(program_of(scene, "a.k", "out"), ContainsSubstring("AirBlast{deck.blasts[0].faces()"));
+
+  const std::string cards =
+      "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+      "*LOAD_BLAST_ENHANCED\n7,2.5,0,0,900,-.5,6,1\n,,,,,3.,1\n*LOAD_BLAST_SEGMENT\n7,1,2,3,4\n";
+  const Charge charge = read_dyna(cards, "a.k").blasts.at(0).charge();
+  CHECK(charge.burst == Burst::surface);
+  CHECK(charge.start == -0.5);
+  CHECK(charge.end == 3);
+  CHECK(!charge.suction);
+  const BlastWave si = Charge{.mass = 2.5, .centre = {0, 0, 0}, .burst = Burst::surface}.wave(0.9);
+  const BlastWave wave = charge.wave(900);  // kg, mm, ms, GPa
+  CHECK(wave.reflected_pressure == Approx(1e-9 * si.reflected_pressure));
+  CHECK(wave.arrival == Approx(1e3 * si.arrival));
+
+  CHECK(has(blast_of("1", "2", segment).replaced, "*LOAD_BLAST_ENHANCED 7: its pressures are in 6894."));
+  CHECK(!has(blast_of("3", "2", segment).replaced, "pressures are in"));
+  CHECK(has(blast_of("6", "3", segment).cannot, "*LOAD_BLAST_ENHANCED 7 is left out: its charge moves"));
+  CHECK(blast_of("6", "4", segment).blasts.empty());
+  CHECK(has(blast_of("6", "2", "").cannot, "has no faces"));
+}
+
 TEST_CASE("deck: numbers are written so that they read back as the same") {
   const TabulatedHardening law{1.0 / 3, {{0, 0.1 + 0.2}, {0.1, 0.4}, {2, 0.5}}};
   CHECK(detail::code_of(law) ==

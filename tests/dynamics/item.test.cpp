@@ -84,6 +84,7 @@ using Remembers = decltype([last = 0.0](double t) mutable { return last = t; });
 using Timeless = decltype([] { return 1.0; });
 using Silent = decltype([](double) {});
 static_assert(fault<Pressure<Curve>> == Fault::none && fault<NodalForce<double (*)(double)>> == Fault::none);
+static_assert(fault<AirBlast> == Fault::none);
 static_assert(fault<BodyForce<Remembers>> == Fault::none && fault<PrescribedVelocity<Remembers>> == Fault::none);
 static_assert(fault<Pressure<double>> == Fault::history && fault<BodyForce<Timeless>> == Fault::history);
 static_assert(fault<NodalForce<Silent>> == Fault::history && fault<PrescribedDisplacement<double>> == Fault::history);

@@ -14,6 +14,7 @@ TEST_CASE("whatever names a node that is not there is refused in one sentence") 
   };
   refuses(NodalForce{{1, 0, 0}, {0, 7}});
   refuses(Pressure{{{.nodes = {0, 1, 2, 7}, .cell = 0}}, Constant{}});
+  refuses(AirBlast{{{.nodes = {0, 1, 2, 7}, .cell = 0}}, Charge{.mass = 1, .centre = {0, 0, 2}}});
   refuses(InitialVelocity{{1, 0, 0}, {7}});
   refuses(Clamped{{7}});
   refuses(PrescribedVelocity{Axis::x, {7}, Constant{}});

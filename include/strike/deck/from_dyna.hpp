@@ -42,7 +42,6 @@ class FromDyna {
     for (std::size_t i = 0; i < deck.rigid_bodies.size(); ++i) add_body(i);
     for (const auto& extra : deck.extra_nodes)
       cannot({"The extra nodes of rigid part ", std::to_string(extra.part), " do not move with it."});
-    if (!deck.blasts.empty()) cannot({"*LOAD_BLAST: no blast is applied."});
     for (const PartCard& card : deck.part_cards)
       if (card.contact) cannot({"The card of *PART_CONTACT of part ", std::to_string(card.number), " is left out."});
     if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
@@ -54,6 +53,7 @@ class FromDyna {
     for (std::size_t i = 0; i < deck.body_loads.size(); ++i) add_body_force(i);
     for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) add_nodal_force(i);
     for (std::size_t i = 0; i < deck.pressures.size(); ++i) add_pressure(i);
+    for (std::size_t i = 0; i < deck.blasts.size(); ++i) add_blast(i);
     for (std::size_t i = 0; i < deck.walls.size(); ++i) add_wall(i);
     for (std::size_t i = 0; i < deck.obstacles.size(); ++i) add_obstacle(i);
     for (std::size_t i = 0; i < deck.contacts.size(); ++i)
@@ -490,6 +490,29 @@ class FromDyna {
     made_.pressures.push_back(
         {Pressure{card.faces(), card.history}, joined({"Pressure{", of, ".faces(), ", of, ".history}"})});
     becomes({"Pressure on ", std::to_string(card.segments.size()), " faces"});
+  }
+  void add_blast(std::size_t i) {
+    const BlastCard& card = deck_.blasts[i];
+    const std::string name =
+        card.number == 0 ? std::string("*LOAD_BLAST") : joined({"*LOAD_BLAST_ENHANCED ", std::to_string(card.number)});
+    if (card.segments.empty()) {
+      cannot({name, " has no faces: give it *LOAD_BLAST_SEGMENT."});
+      return;
+    }
+    if (card.kind != BlastCard::Kind::on_ground && card.kind != BlastCard::Kind::in_air) {
+      cannot({name, " is left out: its charge moves, or bursts above the ground (BLAST 3, 4)."});
+      return;
+    }
+    const auto& [mass, length, time, pressure] = card.si;
+    if (const double own = mass / (length * time * time); std::abs(pressure / own - 1) > 1e-3)
+      replaced({name, ": its pressures are in ", code_of(pressure), " Pa, as UNIT says, its other units would give ",
+                code_of(own), "."});
+    const std::string of = joined({"deck.blasts[", std::to_string(i), "]"});
+    made_.blasts.push_back(
+        {AirBlast{card.faces(), card.charge()}, joined({"AirBlast{", of, ".faces(), ", of, ".charge()}"})});
+    becomes({"Blast of ", code_of(card.mass), " of TNT ",
+             card.kind == BlastCard::Kind::in_air ? "in air" : "on the ground", " at ", code_of(card.centre), " on ",
+             std::to_string(card.segments.size()), " faces"});
   }
   void add_wall(std::size_t i) {
     const WallCard& card = deck_.walls[i];

@@ -41,7 +41,7 @@ class DeckProgram {
                               part.removal.empty() ? "" : ", ", part.removal, "}"}));
     add_codes(scene.bodies, items), add_codes(scene.velocities, items), add_codes(scene.supports, items);
     add_codes(scene.motions, items), add_codes(scene.body_forces, items), add_codes(scene.nodal_forces, items);
-    add_codes(scene.pressures, items), add_codes(scene.walls, items);
+    add_codes(scene.pressures, items), add_codes(scene.blasts, items), add_codes(scene.walls, items);
     add_codes(scene.obstacles, items), add_codes(scene.ties, items), add_codes(scene.contacts, items);
     add({"  Explicit run{Scene{deck.mesh.nodes,"});
     for (std::size_t i = 0; i < items.size(); ++i)

@@ -25,6 +25,7 @@
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
 #include <strike/input/dyna_load_cards.hpp>
+#include <strike/load/air_blast.hpp>
 #include <strike/load/body_force.hpp>
 #include <strike/load/initial_velocity.hpp>
 #include <strike/load/nodal_force.hpp>
@@ -120,6 +121,7 @@ struct DeckScene {
   std::vector<Stated<BodyForce<CardHistory>>> body_forces = {};
   std::vector<Stated<NodalForce<CardHistory>>> nodal_forces = {};
   std::vector<Stated<Pressure<CardHistory>>> pressures = {};
+  std::vector<Stated<AirBlast>> blasts = {};
   std::vector<Stated<RigidWall>> walls = {};
   std::vector<Stated<DeckObstacle>> obstacles = {};
   std::vector<Stated<Tied>> ties = {};
@@ -137,19 +139,9 @@ struct DeckScene {
   /// Parts, rigid bodies, initial velocities, supports, motions, loads, walls, ties and contacts, in the order of the
   /// deck.
   auto scene() const {
-    return Scene{nodes,
-                 items(parts),
-                 items(bodies),
-                 items(velocities),
-                 items(supports),
-                 items(motions),
-                 items(body_forces),
-                 items(nodal_forces),
-                 items(pressures),
-                 items(walls),
-                 items(obstacles),
-                 items(ties),
-                 items(contacts)};
+    return Scene{nodes,          items(parts),       items(bodies),       items(velocities), items(supports),
+                 items(motions), items(body_forces), items(nodal_forces), items(pressures),  items(blasts),
+                 items(walls),   items(obstacles),   items(ties),         items(contacts)};
   }
 
  private:

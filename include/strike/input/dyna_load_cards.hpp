@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <strike/input/source.hpp>
+#include <strike/load/air_blast.hpp>
 #include <strike/mesh/mesh.hpp>
 #include <strike/mesh/surface.hpp>
 
@@ -99,7 +100,7 @@ struct PrescribedMotionCard {
 };
 
 /// *LOAD_BLAST_ENHANCED with its *LOAD_BLAST_SEGMENT and _SET, and *LOAD_BLAST with the pressures whose LCID is -2: a
-/// charge of TNT in air, and the faces that it loads.
+/// charge of TNT in air, and the faces that it loads: `AirBlast{b.faces(), b.charge()}`.
 struct BlastCard {
   /// BLAST or ISURF: half a charge on the ground, a free one, a moving one, a charge above the ground.
   enum class Kind { on_ground = 1, in_air = 2, moving = 3, above_ground = 4 };
@@ -118,6 +119,16 @@ struct BlastCard {
     std::vector<Face> all;
     for (const auto& corners : segments) all.push_back({corners, 0});
     return all;
+  }
+  /// The charge, of BLAST 1 or 2.
+  Charge charge() const {
+    return {.mass = mass,
+            .centre = centre,
+            .start = start,
+            .burst = kind == Kind::on_ground ? Burst::surface : Burst::free_air,
+            .units = {.mass = si[0], .length = si[1], .time = si[2], .pressure = si[3]},
+            .end = death,
+            .suction = !without_suction};
   }
 };
 

@@ -1,16 +1,11 @@
 #pragma once
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <strike/load/curve.hpp>
-#include <strike/mesh/part_faces.hpp>
-#include <strike/mesh/surface.hpp>
-#include <strike/range.hpp>
-#include <strike/tensor/tensor.hpp>
+#include <strike/load/loaded_faces.hpp>
 
 namespace strike {
 
@@ -28,93 +23,27 @@ class Pressure {
 
   template <class N>
   void begin(const N& nodes, std::span<const PartFaces> parts = {}) {
-    for (const Face& face : faces_)
-      for (const Index i : face.nodes) nodes.check_number(i);
-    ended_.assign(faces_.size(), 0);
-    if (std::any_of(parts.begin(), parts.end(), [](const PartFaces& part) { return part.erodes; })) find_owners(parts);
+    faces_.begin(nodes, parts);
   }
   template <class N>
   void apply_loads(N& nodes, double time) {
-    const double p = history_(time);
-    forces_.resize(faces_.size());
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      if (has_ended(i)) {
-        forces_[i].setZero();
-        continue;
-      }
-      const auto& corner = faces_[i].nodes;
-      const auto x = [&](std::size_t k) { return nodes.x(corner[k]); };
-      const typename N::Vector along = x(2) - x(0), across = x(3) - x(1);
-      const double share = corner[2] == corner[3] ? 1.0 / 3 : 0.25;
-      const typename N::Vector force = -share * p * 0.5 * cross<typename N::Number>(along, across);
-      for (std::size_t k = 0; k < corners(corner); ++k) nodes.add_force(corner[k], force);
-      forces_[i] = force.template cast<double>();
-    }
+    faces_.apply(nodes, [p = double(history_(time))](std::size_t, const typename N::Vector&) { return p; });
   }
   template <class N>
   double power(const N& nodes) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t k = 0; k < corners(faces_[i].nodes); ++k)
-        sum += forces_[i].dot(nodes.v(faces_[i].nodes[k]).template cast<double>());
-    return sum;
+    return faces_.power(nodes);
   }
   /// Ends on the faces all of whose elements are gone.
-  void remove(std::size_t part, const std::vector<bool>& alive) {
-    std::vector<char> left(faces_.size(), 0);
-    for (Owner& owner : owners_) {
-      if (owner.part == part && !alive.at(owner.cell)) owner.is_gone = true;
-      if (!owner.is_gone) left[owner.face] = 1;
-    }
-    for (const Owner& owner : owners_) ended_[owner.face] = !left[owner.face];
-  }
+  void remove(std::size_t part, const std::vector<bool>& alive) { faces_.remove(part, alive); }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    for (const Face& face : faces_) archive.same(face.nodes);
-    archive(forces_, owners_, ended_);
+    faces_.serialize(archive);
   }
 
  private:
-  /// An element that has a face.
-  struct Owner {
-    std::size_t face, part, cell;
-    bool is_gone = false;
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(face, part, cell, is_gone);
-    }
-  };
-
-  static std::size_t corners(const std::array<Index, 4>& corner) { return corner[2] == corner[3] ? 3 : 4; }
-  bool has_ended(std::size_t face) const { return face < ended_.size() && ended_[face]; }
-
-  void find_owners(std::span<const PartFaces> parts) {
-    using Key = std::array<Index, 4>;
-    const auto key_of = [](const Face& face) {
-      Key key = face.nodes;
-      std::sort(key.begin(), key.end());
-      if (face.is_triangle()) std::fill(std::unique(key.begin(), key.end()), key.end(), key.back());
-      return key;
-    };
-    std::vector<std::pair<Key, std::size_t>> keys;
-    for (std::size_t i = 0; i < faces_.size(); ++i) keys.emplace_back(key_of(faces_[i]), i);
-    std::sort(keys.begin(), keys.end());
-    for (std::size_t p = 0; p < parts.size(); ++p)
-      for (const Face& face : parts[p].faces) {
-        const Key key = key_of(face);
-        for (auto at = std::lower_bound(keys.begin(), keys.end(), std::pair{key, std::size_t{0}});
-             at != keys.end() && at->first == key; ++at)
-          owners_.push_back({at->second, p, face.cell});
-      }
-  }
-
-  std::vector<Face> faces_;
+  detail::LoadedFaces faces_;
   History history_;
-  std::vector<Eigen::Vector3d> forces_;  // on each corner of each face, as applied last
-  std::vector<Owner> owners_;
-  std::vector<char> ended_;  // of each face
 };
 
 }  // namespace strike
