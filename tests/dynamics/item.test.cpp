@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <strike/contact.hpp>
@@ -124,6 +126,31 @@ TEST_CASE("item: reached among all, among the parts, among the contacts, and all
   CHECK(parts == 2);
   CHECK(first.cells(run.nodes()) == lower);
   CHECK(second.cells(run.nodes()) == upper);
+}
+
+TEST_CASE("item: a run that is copied, moved or assigned goes on with its own items") {
+  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {2, 2, 2}});
+  const std::vector<PartOf<Hex8<>, std::remove_const_t<decltype(steel)>>> parts{Part{Hex8{}, steel, mesh.hexahedra}};
+  const auto start = [&] {
+    return Explicit{Scene{mesh.nodes, parts, InitialVelocity{{0, 0, -1}}, RigidWall{{0, 0, 0}, {0, 0, 1}}}};
+  };
+  auto run = start();
+  run.until(1e-4);
+  auto copy = run, assigned = start();
+  assigned = run;
+  run.until(3e-4);
+  const auto expected = run.positions();
+  const double force = run.contact<0>().force().z();
+  CHECK(copy.positions() != expected);  // nothing of it has moved with the other
+  copy.until(3e-4), assigned.until(3e-4);
+  CHECK(copy.positions() == expected);
+  CHECK(copy.contact<0>().force().z() == force);
+  CHECK(assigned.positions() == expected);
+  auto moved = std::move(copy);
+  assigned = std::move(run);
+  moved.until(4e-4), assigned.until(4e-4);
+  CHECK(moved.positions() == assigned.positions());
+  CHECK(moved.energy().internal == assigned.energy().internal);
 }
 
 TEST_CASE("item: policies stand after the options or after the scene") {
