@@ -270,19 +270,13 @@ void plate_step_is_safe(const E& element, PlateShapes<E::nodes> shapes = PlateSh
     const double h = std::pow(10, 2 * shapes.unit() - 1) * std::sqrt(plate_frame(x).area);
     const Layer stiff{PlaneStress{Elastic{1, 1, nu}}, c * h, Gauss<3>{}};
     const Layer soft{PlaneStress{Elastic{0.5, std::pow(10, -3 * c), 0.3}}, (1 - c) * h, Gauss<3>{}};
-    switch (trial % 5) {
-      case 0:
-        ask(Layered{stiff, soft}, x);
-        break;
-      case 1:
-        ask(Layered{stiff, soft, stiff}, x);
-        break;
-      case 2:
-        ask(Layered{stiff, soft, Offset{shapes.unit() * h}}, x);
-        break;
-      default:
-        ask(Homogeneous{PlaneStress{Elastic{1, 1, nu}}, h, Gauss<3>{}}, x);
-    }
+    // Two layers, three, two with an offset: of one type, for each takes seconds to compile.
+    const bool three = trial % 5 == 1;
+    const Layer third{PlaneStress{Elastic{1, 1, nu}}, (three ? c : 1e-9) * h, Gauss<3>{}};
+    if (trial % 5 < 3)
+      ask(Layered{stiff, soft, third, Offset{trial % 5 == 2 ? shapes.unit() * h : 0}}, x);
+    else
+      ask(Homogeneous{PlaneStress{Elastic{1, 1, nu}}, h, Gauss<3>{}}, x);
   }
   CHECK(least >= 1 - 1e-9);
 }

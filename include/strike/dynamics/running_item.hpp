@@ -14,18 +14,20 @@
 
 namespace strike::detail {
 
-/// An item of a scene at work: a part takes its lanes and what the bound of the step needs, the rest stays as it is.
+/// An item of a scene at work, to which it is moved: a part takes its lanes and what the bound of the step needs, the
+/// rest stays as it is.
 template <class Item, class Method, class Nodes>
 struct RunningItem {
   using type = Item;
-  static Item start(Item item, Nodes&, std::vector<std::vector<Index>>&, std::size_t&) { return item; }
+  static Item start(Item& item, Nodes&, std::vector<std::vector<Index>>&, std::size_t&) { return std::move(item); }
 };
 template <class E, class M, std::size_t n, class R, class Method, class Nodes>
 struct RunningItem<Part<E, M, n, R>, Method, Nodes> {
   using Element = typename Method::Bound::template Element<E>;
   using Material = typename Method::Bound::template Material<M>;
   using type = RunningPart<Element, Material, typename Method::Numbers::Number, Nodes, R>;
-  static type start(Part<E, M, n, R> part, Nodes& nodes, std::vector<std::vector<Index>>& orders, std::size_t& number) {
+  static type start(Part<E, M, n, R>& part, Nodes& nodes, std::vector<std::vector<Index>>& orders,
+                    std::size_t& number) {
     const std::size_t mine = number++;
     return type(
         {Element{std::move(part.element)}, Material{std::move(part.material)}, std::move(part.cells), part.removal},
@@ -37,23 +39,22 @@ template <class Item, class Method, class Nodes>
 struct RunningItem<std::vector<Item>, Method, Nodes> {
   using One = RunningItem<Item, Method, Nodes>;
   using type = std::vector<typename One::type>;
-  static type start(std::vector<Item> items, Nodes& nodes, std::vector<std::vector<Index>>& orders,
+  static type start(std::vector<Item>& items, Nodes& nodes, std::vector<std::vector<Index>>& orders,
                     std::size_t& number) {
     type started;
     started.reserve(items.size());
-    for (Item& item : items) started.push_back(One::start(std::move(item), nodes, orders, number));
+    for (Item& item : items) started.push_back(One::start(item, nodes, orders, number));
     return started;
   }
 };
 template <class... Items, class Method, class Nodes>
 struct RunningItem<std::variant<Items...>, Method, Nodes> {
   using type = std::variant<typename RunningItem<Items, Method, Nodes>::type...>;
-  static type start(std::variant<Items...> item, Nodes& nodes, std::vector<std::vector<Index>>& orders,
+  static type start(std::variant<Items...>& item, Nodes& nodes, std::vector<std::vector<Index>>& orders,
                     std::size_t& number) {
     std::optional<type> started;
     with_alternative(item, [&]<class Item, std::size_t i>(Item& one, std::integral_constant<std::size_t, i>) {
-      started.emplace(std::in_place_index<i>,
-                      RunningItem<Item, Method, Nodes>::start(std::move(one), nodes, orders, number));
+      started.emplace(std::in_place_index<i>, RunningItem<Item, Method, Nodes>::start(one, nodes, orders, number));
     });
     return std::move(*started);
   }

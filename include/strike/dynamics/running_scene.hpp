@@ -88,7 +88,7 @@ class RunningScene : public AnyRun<Method, typename Method::Numbers::template No
   RunningScene(Scene<Items...>& scene, Arrangement arrangement, const ExplicitOptions& options = {},
                const Method& method = Method())
       : Base(scene.nodes, std::move(arrangement.nodes), options, method),
-        items_(start(std::move(scene.items), this->nodes_, std::move(arrangement.cells))) {
+        items_(start(scene.items, this->nodes_, std::move(arrangement.cells))) {
     list_items();
     if constexpr (has_debris) begin_debris();
   }
@@ -168,11 +168,11 @@ class RunningScene : public AnyRun<Method, typename Method::Numbers::template No
       ++place;
     });
   }
-  static RunningItems start(std::tuple<Items...> items, Nodes& nodes, std::vector<std::vector<Index>> orders) {
+  static RunningItems start(std::tuple<Items...>& items, Nodes& nodes, std::vector<std::vector<Index>> orders) {
     std::size_t part = 0;
     return std::apply(
         [&](auto&... item) {
-          return RunningItems{RunningItem<Items, Method, Nodes>::start(std::move(item), nodes, orders, part)...};
+          return RunningItems{RunningItem<Items, Method, Nodes>::start(item, nodes, orders, part)...};
         },
         items);
   }
