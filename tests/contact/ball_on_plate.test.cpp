@@ -32,7 +32,7 @@ TEST_CASE("a rigid ball of 2 kg strikes a clamped plate and leaves it, no faster
   Explicit run{Scene{mesh.nodes, Part{Plate4{}, plate, mesh.quadrilaterals},
                      RigidBody{Mesh{mesh.nodes, mesh.hexahedra}, mass}.moving({0, 0, -10}), Clamped{edge},
                      Contact{Everything{}, Penalty{}}}};
-  run.until(3);
+  run.until(5);
   const RigidMotion& ball = run.nodes().bodies()[0];
   CHECK(run.nodes().bodies()[0].mass() == 2);
   CHECK(run.energy().initial == Approx(100));
