@@ -1,6 +1,7 @@
 #pragma once
 #include <strike/load/air_blast.hpp>
 #include <strike/load/body_force.hpp>
+#include <strike/load/body_guides.hpp>
 #include <strike/load/curve.hpp>
 #include <strike/load/initial_velocity.hpp>
 #include <strike/load/nodal_force.hpp>

@@ -194,6 +194,53 @@ TEST_CASE("deck: a rigid part is a body behind the parts, with those that move w
              ContainsSubstring("BodyVelocity{deck.motions[0].direction, deck.motions[0].history}}"));
 }
 
+TEST_CASE("deck: a rigid part has the inertia and the velocity of its own card, and carries extra nodes") {
+  const std::string materials = R"(*MAT_ELASTIC
+1,7.8,200,.25
+*MAT_RIGID
+2,7.8,200,.25
+)";
+  const auto with_part = [&](const std::string& inertia, const std::string& more) {
+    return scene_of(materials + "*MAT_RIGID\n3,7.8,200,.25\n" + ended + "*PART_INERTIA\nheavy\n9,2,3\n" + inertia +
+                    "*ELEMENT_SHELL\n9,9,21,22,15,15\n" + more);
+  };
+  const DeckScene scene = with_part("1,2,3,5\n4,.1,.2,5,.3,6\n1,0,0,0,0,7\n",
+                                    "*CONSTRAINED_EXTRA_NODES_NODE\n9,7\n9,8\n*CONSTRAINED_EXTRA_NODES_NODE\n2,6\n");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  REQUIRE(scene.bodies.size() == 3);
+  CHECK(scene.bodies[2].code ==
+        "RigidBody{deck.cells_of({9}), deck.inertias[0].own(), 0.1}.with_nodes(deck.extra_nodes[0].nodes)"
+        ".moving(deck.inertias[0].velocity, deck.inertias[0].spin)");
+  CHECK_THAT(scene.bodies[0].code, ContainsSubstring("7.8}.with_nodes(deck.extra_nodes[1].nodes)"));
+  CHECK(has(scene.becomes, "1 plates, with mass, inertia and velocity of its own card, and 2 extra nodes"));
+  // The body as a run has it.
+  Nodes<double> nodes(scene.nodes, detail::ascending([&] {
+                        std::vector<Index> all;
+                        for (Index i = 0; i < scene.nodes.size(); ++i) all.push_back(i);
+                        return all;
+                      }()));
+  auto body = std::get<RigidBody<>>(scene.bodies[2].item);
+  body.add_body(nodes), body.start_body(nodes);
+  const RigidMotion& motion = nodes.bodies()[0];
+  CHECK(motion.mass() == 5);
+  CHECK(motion.centre() == Eigen::Vector3d(1, 2, 3));
+  CHECK(motion.velocity() == Eigen::Vector3d(1, 0, 0));
+  CHECK((motion.angular_momentum() - 7 * Eigen::Vector3d(0.2, 0.3, 6)).norm() < 1e-14);
+  CHECK(nodes.is_rigid(6));
+  CHECK((nodes.v(6) - (Eigen::Vector3d(1, 0, 0) + 7 * Eigen::Vector3d(1, 0, 0))).norm() < 1e-13);  // at (1, 1, 1)
+
+  const DeckScene impossible = with_part("1,2,3,5\n4,,,5,,10\n0\n", "");
+  CHECK(has(impossible.cannot, "Part 9, heavy: its moment of inertia has the components 4, 5, 10"));
+  CHECK_THAT(impossible.bodies[2].code, ContainsSubstring("7.8, 0.1}"));
+  const DeckScene merged = with_part("1,2,3,5\n4,,,5,,6\n0\n", "*CONSTRAINED_RIGID_BODIES\n9,3\n");
+  CHECK(has(merged.replaced, "its *PART_INERTIA is that of all the parts"));
+  CHECK_THAT(merged.bodies[1].code, ContainsSubstring("deck.cells_of({3, 9}), deck.inertias[0].own(), 0.1}"));
+  const DeckScene led = with_part("1,2,3,5\n4,,,5,,6\n0\n", "*CONSTRAINED_RIGID_BODIES\n3,9\n");
+  CHECK(has(led.cannot, "*PART_INERTIA of part 9 is left out, which moves with part 3"));
+  const DeckScene elastic = scene_of(three_metals + ended + "*CONSTRAINED_EXTRA_NODES_NODE\n1,16\n");
+  CHECK(has(elastic.cannot, "The extra nodes of part 1 are left out"));
+}
+
 TEST_CASE("deck: conditions and loads are those of the deck's cards") {
   const DeckScene scene = scene_of(three_metals + ended + R"(*DEFINE_CURVE
 9

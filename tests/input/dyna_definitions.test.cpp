@@ -141,6 +141,15 @@ block
        1.0       0.0       0.0       2.0       0.0       3.0
        5.0
        0.0       1.0       0.0      -1.0
+*PART_INERTIA
+by CID
+         5         7         8
+       0.0       0.0       0.0       2.0         1
+       1.0       0.0       0.0       2.0       0.0       3.0
+       5.0
+                                                                   5
+*DEFINE_COORDINATE_VECTOR
+5,0,1,0,-1,0,0
 *PART_CONTACT_INERTIA
 both
          3         7         8
@@ -154,7 +163,7 @@ laminate
          8       0.1      45.0         0         9       0.2     -45.0
          8       0.3
 )");
-  REQUIRE(deck.inertias.size() == 3);
+  REQUIRE(deck.inertias.size() == 4);
   const InertiaCard& ball = deck.inertias[0];
   Eigen::Matrix3d inertia;
   inertia << 10, 1, 2, 1, 20, 3, 2, 3, 30;
@@ -166,9 +175,12 @@ laminate
   CHECK(ball.spin == Eigen::Vector3d(0.1, 0.2, 0.3));
   CHECK(deck.inertias[1].centre == Eigen::Vector3d(0, 0, 3));                                // node 9
   CHECK(deck.inertias[1].inertia == Eigen::Vector3d(2, 1, 3).asDiagonal().toDenseMatrix());  // x along Y
-  CHECK(deck.part_cards[2].name == "both");
-  CHECK(deck.part_cards[2].contact->static_friction == 0.3);
-  CHECK(deck.part_cards[2].contact->thickness == 0.9);
+  CHECK(deck.inertias[2].inertia == deck.inertias[1].inertia);
+  CHECK(deck.inertias[0].own().moment.yz == 3);
+  CHECK(deck.inertias[0].own().moment.zx == 2);
+  CHECK(deck.part_cards[3].name == "both");
+  CHECK(deck.part_cards[3].contact->static_friction == 0.3);
+  CHECK(deck.part_cards[3].contact->thickness == 0.9);
   CHECK_FALSE(deck.part_cards[0].contact);
   REQUIRE(deck.composites.size() == 1);
   const CompositeCard& laminate = deck.composites[0];
@@ -180,14 +192,14 @@ laminate
   CHECK(laminate.layers[1].material == 9);
   CHECK(laminate.layers[1].thickness == 0.2);
   CHECK(laminate.layers[1].angle == -45);
-  CHECK(deck.part_cards[3].name == "laminate");
-  CHECK(deck.part_cards[3].hourglass == 6);
+  CHECK(deck.part_cards[4].name == "laminate");
+  CHECK(deck.part_cards[4].hourglass == 6);
   CHECK(deck.warnings ==
         std::vector<std::string>{"Nodes without an element (1, the first has the number 9) were dropped."});
 
   expect_refused("*PART_COMPOSITE\na\n1\n8,0\n", "line 4: THICK of a layer is not positive: give it its thickness.");
   expect_refused("*PART_COMPOSITE\na\n1\n,1.\n", "line 4: a layer has no MID: give it a material.");
-  expect_refused("*PART_INERTIA\na\n1\n0,0,0,1,1\n1\n0\n,,,,,,4\n", "line 7: the axes of the inertia are those of CID");
+  expect_refused("*PART_INERTIA\na\n1\n0,0,0,1,1\n1\n0\n,,,,,,4\n", "line 7: coordinate system 4 is not in the file");
 }
 
 TEST_CASE("dyna definitions: values of each shell stand with it") {

@@ -40,8 +40,10 @@ class FromDyna {
     for (const NamedSet& part : deck.parts) add_part(part);
     for (const NamedSet& part : deck.parts) add_body(part);
     for (std::size_t i = 0; i < deck.rigid_bodies.size(); ++i) add_body(i);
-    for (const auto& extra : deck.extra_nodes)
-      cannot({"The extra nodes of rigid part ", std::to_string(extra.part), " do not move with it."});
+    for (std::size_t i = 0; i < deck.extra_nodes.size(); ++i)
+      if (!has_owner(deck.extra_nodes[i].part))
+        cannot({"The extra nodes of part ", std::to_string(deck.extra_nodes[i].part),
+                " are left out: it is no rigid body here."});
     for (const PartCard& card : deck.part_cards)
       if (card.contact) cannot({"The card of *PART_CONTACT of part ", std::to_string(card.number), " is left out."});
     if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
@@ -370,30 +372,87 @@ class FromDyna {
     for (std::vector<FileNumber>& parts : outsides)
       if (!parts.empty()) owners_.push_back(std::move(parts));
     const Mesh mesh = deck_.cells_of(members);
-    if (std::any_of(deck_.inertias.begin(), deck_.inertias.end(),
-                    [&](const InertiaCard& card) { return card.part == part.number; }))
-      cannot({name_of(part), ": mass, inertia and velocity are those of its cells, not of *PART_INERTIA."});
-    std::string code = joined({"RigidBody{deck.cells_of({", numbers, "}), ", code_of(material->density)});
+    const std::optional<std::size_t> own = inertia_of(part, members);
+    const std::string of = own ? joined({"deck.inertias[", std::to_string(*own), "]"}) : "";
+    std::string code =
+        joined({"RigidBody{deck.cells_of({", numbers, "}), ", own ? of + ".own()" : code_of(material->density)});
     if (!mesh.quadrilaterals.empty() || !mesh.triangles.empty()) code += ", " + code_of(thickness);
-    add_guided(part.number, HeldBody{material->directions(), material->axes()}, code, [&](const auto&... guides) {
-      return RigidBody{mesh, material->density, thickness, guides...};
-    });
+    const std::vector<std::size_t> extra = extra_nodes_of(members);
+    std::string last = with_nodes(extra);
+    if (own) last += joined({".moving(", of, ".velocity, ", of, ".spin)"});
+    add_guided(
+        part.number, HeldBody{material->directions(), material->axes()}, code,
+        [&](const auto&... guides) {
+          if (!own) return carrying(RigidBody{mesh, material->density, thickness, guides...}, extra);
+          const InertiaCard& card = deck_.inertias[*own];
+          return carrying(RigidBody{mesh, card.own(), thickness, guides...}, extra).moving(card.velocity, card.spin);
+        },
+        last);
     becomes({name_of(part), ": a rigid body of ", std::to_string(mesh.hexahedra.size() + mesh.tetrahedra.size()),
-             " solids and ", std::to_string(mesh.quadrilaterals.size() + mesh.triangles.size()), " plates"});
+             " solids and ", std::to_string(mesh.quadrilaterals.size() + mesh.triangles.size()), " plates",
+             own ? ", with mass, inertia and velocity of its own card" : "", told_with(extra)});
   }
+  /// The card of *PART_INERTIA that counts for a body: that of the part that leads.
+  std::optional<std::size_t> inertia_of(const NamedSet& lead, const std::vector<FileNumber>& members) {
+    std::optional<std::size_t> own;
+    for (std::size_t i = 0; i < deck_.inertias.size(); ++i) {
+      const InertiaCard& card = deck_.inertias[i];
+      if (card.part == lead.number) {
+        if (const std::string fault = fault_of(card.own(), true); !fault.empty())
+          cannot({name_of(lead), ": ", fault, ". Until then mass, inertia and velocity are those of its cells."});
+        else
+          own = i;
+      } else if (std::find(members.begin(), members.end(), card.part) != members.end()) {
+        cannot({"*PART_INERTIA of part ", std::to_string(card.part), " is left out, which moves with part ",
+                std::to_string(lead.number), ": give that one the inertia of both."});
+      }
+    }
+    if (own && members.size() > 1)
+      replaced({name_of(lead), ": its *PART_INERTIA is that of all the parts that move with it."});
+    return own;
+  }
+  /// The places of the cards of extra nodes of parts, or bodies, of these numbers.
+  std::vector<std::size_t> extra_nodes_of(const std::vector<FileNumber>& members) {
+    std::vector<std::size_t> cards;
+    for (std::size_t i = 0; i < deck_.extra_nodes.size(); ++i)
+      if (std::find(members.begin(), members.end(), deck_.extra_nodes[i].part) != members.end()) cards.push_back(i);
+    return cards;
+  }
+  template <class Body>
+  Body carrying(Body body, const std::vector<std::size_t>& cards) const {
+    for (const std::size_t i : cards) body = body.with_nodes(deck_.extra_nodes[i].nodes);
+    return body;
+  }
+  static std::string with_nodes(const std::vector<std::size_t>& cards) {
+    std::string code;
+    for (const std::size_t i : cards) code += joined({".with_nodes(deck.extra_nodes[", std::to_string(i), "].nodes)"});
+    return code;
+  }
+  std::string told_with(const std::vector<std::size_t>& cards) const {
+    std::size_t count = 0;
+    for (const std::size_t i : cards) count += deck_.extra_nodes[i].nodes.size();
+    return count > 0 ? joined({", and ", std::to_string(count), " extra nodes"}) : "";
+  }
+  /// The number is that of a rigid part, or of a rigid body of nodes.
+  bool has_owner(FileNumber number) const { return rigid(number) || numbered(deck_.rigid_bodies, number); }
   void add_body(std::size_t i) {
     const RigidBodyCard& card = deck_.rigid_bodies[i];
     if (card.inertia) cannot({"Rigid body ", std::to_string(card.number), ": its own inertia is left out."});
-    add_guided(card.number, HeldBody{card.held.directions(), card.held.axes()},
-               joined({"RigidBody{deck.rigid_bodies[", std::to_string(i), "].nodes, Inertia{}"}),
-               [&](const auto&... guides) {
-                 return RigidBody{card.nodes, Inertia{}, guides...};
-               });
-    becomes({"Rigid body ", std::to_string(card.number), " of ", std::to_string(card.nodes.size()), " nodes"});
+    const std::vector<std::size_t> extra = extra_nodes_of({card.number});
+    add_guided(
+        card.number, HeldBody{card.held.directions(), card.held.axes()},
+        joined({"RigidBody{deck.rigid_bodies[", std::to_string(i), "].nodes, Inertia{}"}),
+        [&](const auto&... guides) {
+          return carrying(RigidBody{card.nodes, Inertia{}, guides...}, extra);
+        },
+        with_nodes(extra));
+    becomes({"Rigid body ", std::to_string(card.number), " of ", std::to_string(card.nodes.size()), " nodes",
+             told_with(extra)});
   }
-  /// A body with what holds it and moves it; `make` takes the guides.
+  /// A body with what holds it and moves it; `make` takes the guides, `last` is the code behind them.
   template <class Make>
-  void add_guided(FileNumber number, const HeldBody& held, std::string code, const Make& make) {
+  void add_guided(FileNumber number, const HeldBody& held, std::string code, const Make& make,
+                  const std::string& last) {
     const bool holds = !held.directions().empty() || !held.axes().empty();
     std::optional<std::size_t> driven;
     for (std::size_t i = 0; i < deck_.motions.size(); ++i)
@@ -405,14 +464,14 @@ class FromDyna {
       }
     if (holds || driven) code += joined({", HeldBody{", code_of(held.directions()), ", ", code_of(held.axes()), "}"});
     if (!driven) {
-      code += "}";
+      code += "}" + last;
       made_.bodies.push_back(holds ? Stated<DeckBody>{make(held), code} : Stated<DeckBody>{make(), code});
       return;
     }
     const PrescribedMotionCard& motion = deck_.motions[*driven];
     const std::string of = joined({"deck.motions[", std::to_string(*driven), "]"});
     const auto end = [&](const char* name) {
-      return joined({code, ", ", name, "{", of, ".direction, ", of, ".history}}"});
+      return joined({code, ", ", name, "{", of, ".direction, ", of, ".history}}", last});
     };
     if (motion.kind == PrescribedMotionCard::Kind::velocity)
       made_.bodies.push_back({make(held, BodyVelocity{motion.direction, motion.history}), end("BodyVelocity")});

@@ -169,11 +169,12 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   void check_balance() {
     if (!std::isfinite(energy_.imbalance()))
       if (const std::string nan = culprit().of_nan(); !nan.empty()) give_up(nan);
+    reached_ = std::max({reached_, energy_.initial, std::abs(energy_.external)});
     if (step_.number == 1) return;
     const double tolerance = options_.energy_tolerance;
     const double rounding = energy_of_rounding(tolerance, moved_by_rounding_, step_.number, step_.dt);
-    if (grows_beyond_stability(energy_, rounding)) give_up(beyond_stability(energy_));
-    if (!is_balanced(energy_, tolerance, rounding))
+    if (grows_beyond_stability(energy_, reached_, rounding)) give_up(beyond_stability(energy_));
+    if (!is_balanced(energy_, reached_, tolerance, rounding))
       give_up(out_of_balance(energy_, this->describe(stable_), culprit().of_power()));
   }
   auto culprit() { return Items::culprit(step_, clock_.time()); }
@@ -241,6 +242,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   StableStep stable_;
   double bounded_ = infinity;  // the last stable step of an element
   double smallest_step_ = 0;
+  double reached_ = 0;            // the largest of the initial energy and the external work so far
   double moved_by_rounding_ = 0;  // sum of m spacing^2/2 [energy time^2]
   Clock clock_;
   double end_ = infinity;         // as told last

@@ -28,14 +28,17 @@ inline double energy_of_rounding(double tolerance, double moved, std::size_t ste
 
 /// Velocities that change sign and grow from step to step. An unstable step keeps the balance: a negative kinetic
 /// energy grows with the internal one. (A vibration of the energy E with w dt = 2 sin(a) has the kinetic energy -E
-/// tan^2(a) at its turning points: -4 E at 0.9 of the stable step, -49 E at 0.99.)
-inline bool grows_beyond_stability(const Energy& energy, double rounding) {
-  return !(energy.kinetic >= -100 * std::max(energy.initial, std::abs(energy.external)) - rounding);
+/// tan^2(a) at its turning points: -4 E at 0.9 of the stable step, -49 E at 0.99.) `reached` is the largest of the
+/// initial energy and the external work so far: a pendulum that comes back to where it has begun at rest has neither
+/// there.
+inline bool grows_beyond_stability(const Energy& energy, double reached, double rounding) {
+  return !(energy.kinetic >= -100 * reached - rounding);
 }
 
 /// The balance is within the tolerance, a share of the largest energy, or off by rounding alone.
-inline bool is_balanced(const Energy& energy, double tolerance, double rounding) {
-  return std::abs(energy.imbalance()) <= std::max(rounding, tolerance * energy.scale());  // infinite times 0
+inline bool is_balanced(const Energy& energy, double reached, double tolerance, double rounding) {
+  return std::abs(energy.imbalance()) <=
+         std::max(rounding, tolerance * std::max(energy.scale(), reached));  // infinite times 0
 }
 
 [[gnu::cold]] inline std::string beyond_stability(const Energy& energy) {

@@ -34,6 +34,7 @@
 #include <strike/material/strength/tabulated_rates.hpp>
 #include <strike/material/strength/von_mises.hpp>
 #include <strike/material/strength/zerilli_armstrong.hpp>
+#include <strike/mesh/inertia.hpp>
 #include <strike/tensor/tensor.hpp>
 
 // The cards of an LS-DYNA deck as values (LS-DYNA Keyword User's Manual R13, volumes I and II). Numbers are in the
@@ -285,7 +286,7 @@ struct PartCard {
   std::optional<PartContact> contact = {};
 };
 
-/// The cards of *PART_INERTIA, in global axes.
+/// The cards of *PART_INERTIA, in global axes: `RigidBody{cells, i.own()}.moving(i.velocity, i.spin)`.
 struct InertiaCard {
   FileNumber part;
   Eigen::Vector3d centre;
@@ -293,6 +294,13 @@ struct InertiaCard {
   Eigen::Matrix3d inertia;  ///< about the centre [mass length^2]
   Eigen::Vector3d velocity;
   Eigen::Vector3d spin;  ///< [1/time]
+
+  Inertia own() const {
+    const Eigen::Matrix3d& J = inertia;
+    return {mass, centre, {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(1, 2), J(2, 0)}};
+  }
+  /// Its tensor has been given in these axes.
+  void turn(const Eigen::Matrix3d& axes) { inertia = (axes * inertia * axes.transpose()).eval(); }
 };
 
 /// *PART_COMPOSITE: layers from the bottom to the top, and what a section says of other plates.

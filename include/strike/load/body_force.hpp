@@ -4,6 +4,7 @@
 #include <strike/load/curve.hpp>
 #include <strike/motion/motion.hpp>
 #include <strike/motion/nodes.hpp>
+#include <strike/motion/rigid_motion.hpp>
 #include <strike/range.hpp>
 
 namespace strike {
@@ -27,12 +28,15 @@ class BodyForce {
     now_ = history_(time) * acceleration_;
     const auto g = N::padded(now_.cast<typename N::Number>());
     for (std::size_t k = 0; k < nodes.size(); ++k) nodes.force()[k] += nodes.mass()[k] * g;
+    for (RigidMotion& body : nodes.bodies()) body.accelerate(now_);
   }
   template <class N>
   double power(const N& nodes) const {
     Padded<double> momentum = 0;
     for (std::size_t k = 0; k < nodes.size(); ++k) momentum += Padded<double>(nodes.mass()[k] * nodes.velocity()[k]);
-    return Nodes<double>::vector_of(momentum).dot(now_);
+    double power = Nodes<double>::vector_of(momentum).dot(now_);
+    for (const RigidMotion& body : nodes.bodies()) power += body.power_beside_nodes(now_);
+    return power;
   }
 
   template <class Archive>

@@ -12,7 +12,7 @@
 
 #include <strike/ascending.hpp>
 #include <strike/error.hpp>
-#include <strike/load/prescribed_motion.hpp>
+#include <strike/load/body_guides.hpp>
 #include <strike/mesh/inertia.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/mesh/surface.hpp>
@@ -25,113 +25,15 @@
 
 namespace strike {
 
-namespace detail {
-
-/// A direction along which a rigid body moves, or an axis about which it turns, as a history tells.
-template <class History, class Kind, bool turns>
-class BodyGuide {
- public:
-  using LoadHistory = History;
-  static constexpr bool is_moved = true;
-
-  BodyGuide(const Eigen::Vector3d& direction, History history) : given_(direction), history_(std::move(history)) {}
-  BodyGuide(Axis axis, History history) : BodyGuide(unit(axis), std::move(history)) {}
-
-  void ranges(const auto& number) const {
-    number(turns ? "axis" : "direction", given_, range::direction);
-    number(history_);
-  }
-  std::vector<Eigen::Vector3d> directions() const { return turns ? none() : std::vector{given_}; }
-  std::vector<Eigen::Vector3d> axes() const { return turns ? std::vector{given_} : none(); }
-  double velocity(const Step& step) { return Kind::velocity(history_, step); }
-
- private:
-  static std::vector<Eigen::Vector3d> none() { return {}; }
-
-  Eigen::Vector3d given_;
-  History history_;
-};
-
-}  // namespace detail
-
-/// Directions along which the centre of a rigid body does not move, and axes about which the body does not turn.
-///   HeldBody{{unit(Axis::x)}, {unit(Axis::y), unit(Axis::z)}}
-class HeldBody {
- public:
-  static constexpr bool is_moved = false;
-
-  explicit HeldBody(std::vector<Eigen::Vector3d> directions, std::vector<Eigen::Vector3d> axes = {})
-      : directions_(std::move(directions)), axes_(std::move(axes)) {}
-
-  void ranges(const auto& number) const {
-    for (const auto& direction : directions_) number("direction", direction, range::direction);
-    for (const auto& axis : axes_) number("axis", axis, range::direction);
-  }
-  const std::vector<Eigen::Vector3d>& directions() const { return directions_; }
-  const std::vector<Eigen::Vector3d>& axes() const { return axes_; }
-  double velocity(const Step&) const { return 0; }
-
- private:
-  std::vector<Eigen::Vector3d> directions_, axes_;
-};
-
-/// A point of a rigid body that does not move: it turns about that.
-class PinnedBody : public HeldBody {
- public:
-  explicit PinnedBody(Eigen::Vector3d point)
-      : HeldBody({unit(Axis::x), unit(Axis::y), unit(Axis::z)}), point_(std::move(point)) {}
-
-  void ranges(const auto& number) const { number("point", point_, range::point); }
-  const Eigen::Vector3d& point() const { return point_; }
-
- private:
-  Eigen::Vector3d point_;
-};
-
-/// The centre of a rigid body moves along a direction with a history of velocity, or of displacement.
-///   BodyVelocity{Axis::z, Constant{-5}}
-template <class History>
-struct BodyVelocity : detail::BodyGuide<History, detail::FromVelocity, false> {
-  using detail::BodyGuide<History, detail::FromVelocity, false>::BodyGuide;
-};
-template <class History>
-BodyVelocity(Eigen::Vector3d, History) -> BodyVelocity<History>;
-template <class History>
-BodyVelocity(Axis, History) -> BodyVelocity<History>;
-template <class History>
-struct BodyDisplacement : detail::BodyGuide<History, detail::FromDisplacement, false> {
-  using detail::BodyGuide<History, detail::FromDisplacement, false>::BodyGuide;
-};
-template <class History>
-BodyDisplacement(Eigen::Vector3d, History) -> BodyDisplacement<History>;
-template <class History>
-BodyDisplacement(Axis, History) -> BodyDisplacement<History>;
-
-/// A rigid body turns about an axis that keeps its direction with a history of angular velocity, or of an angle [rad];
-/// hold it about the other two where they shall not turn.
-template <class History>
-struct BodySpin : detail::BodyGuide<History, detail::FromVelocity, true> {
-  using detail::BodyGuide<History, detail::FromVelocity, true>::BodyGuide;
-};
-template <class History>
-BodySpin(Eigen::Vector3d, History) -> BodySpin<History>;
-template <class History>
-BodySpin(Axis, History) -> BodySpin<History>;
-template <class History>
-struct BodyAngle : detail::BodyGuide<History, detail::FromDisplacement, true> {
-  using detail::BodyGuide<History, detail::FromDisplacement, true>::BodyGuide;
-};
-template <class History>
-BodyAngle(Eigen::Vector3d, History) -> BodyAngle<History>;
-template <class History>
-BodyAngle(Axis, History) -> BodyAngle<History>;
-
-/// Nodes that move as one body: those of cells of a density, which carry no stress and take no time; or any nodes, with
-/// an inertia of their own beside the masses that they have from elements. Elements may share them, loads and contacts
-/// act on them, an InitialVelocity sets it in motion. Guides hold or move it: HeldBody, PinnedBody, BodyVelocity,
-/// BodyDisplacement, BodySpin, BodyAngle. Errors: no nodes; a node in two bodies, or under another condition;
-/// velocities at the start that no rigid motion has; guides that exclude each other.
+/// Nodes that move as one body: those of cells, which carry no stress and take no time, of a density or with an inertia
+/// of the body's own; or any nodes, with an inertia beside the masses that they have from elements. Its centre of mass
+/// may lie anywhere: a body force acts there, the masses of the nodes do not count in its motion. Elements may share
+/// its nodes, loads and contacts act on them, an InitialVelocity sets it in motion. Guides hold or move it: HeldBody,
+/// PinnedBody, BodyVelocity, BodyDisplacement, BodySpin, BodyAngle. Errors: no nodes; a node in two bodies, or under
+/// another condition; an inertia that no body has; velocities at the start that no rigid motion has; guides that
+/// exclude each other.
 ///   RigidBody{Mesh{mesh.nodes, ball}, 7850}
+///   RigidBody{Mesh{mesh.nodes, ball}, Inertia{0.1, centre, moment}}.with_nodes(nodes)
 ///   RigidBody{nodes, Inertia{0.1, centre, moment}, HeldBody{{unit(Axis::x)}}}
 template <class... Guides>
 class RigidBody {
@@ -156,13 +58,45 @@ class RigidBody {
     add_plates(quadrilateral_surface(mesh.quadrilaterals)), add_plates(triangle_surface(mesh.triangles));
     for (std::size_t i = 0; i < nodal.size(); ++i)
       if (nodal[i] > 0) nodes_.push_back(static_cast<Index>(i)), masses_.push_back(nodal[i]);
+    is_of_cells_ = true;
   }
   RigidBody(const Mesh& mesh, double density, Guides... guides)
     requires(!(std::is_arithmetic_v<Guides> || ...))
       : RigidBody(mesh, density, 0.0, std::move(guides)...) {}
+  /// The cells of a mesh, whose mass, centre of mass and moment of inertia are these; plates have this thickness.
+  RigidBody(const Mesh& mesh, const Inertia& own, double thickness, Guides... guides)
+      : RigidBody(mesh, 1.0, thickness, std::move(guides)...) {
+    for (double& m : masses_) m *= own.mass / own_.mass;
+    own_ = own, replaces_ = true;
+  }
+  RigidBody(const Mesh& mesh, const Inertia& own, Guides... guides)
+    requires(!(std::is_arithmetic_v<Guides> || ...))
+      : RigidBody(mesh, own, 0.0, std::move(guides)...) {}
+
+  /// The same body with more nodes, by which it carries what hangs on them. Their masses from elements are its own too.
+  RigidBody with_nodes(std::vector<Index> more) const {
+    RigidBody other = *this;
+    for (const Index i : more) {
+      const auto at = std::lower_bound(other.nodes_.begin(), other.nodes_.end(), i);
+      if (at != other.nodes_.end() && *at == i) continue;
+      if (is_of_cells_) other.masses_.insert(other.masses_.begin() + (at - other.nodes_.begin()), 0.0);
+      other.nodes_.insert(at, i);
+    }
+    return other;
+  }
+  /// The same body, which begins with this velocity of the centre of its own inertia, or of its centre of mass if it
+  /// has none, and this angular velocity [1/time], whatever an InitialVelocity gives its nodes.
+  RigidBody moving(const Eigen::Vector3d& velocity,
+                   const Eigen::Vector3d& angular_velocity = Eigen::Vector3d::Zero()) const {
+    RigidBody other = *this;
+    other.start_ = {velocity, angular_velocity};
+    return other;
+  }
 
   void ranges(const auto& number) const {
     number(own_);
+    if (start_) number("velocity", start_->velocity, range::point);
+    if (start_) number("angular_velocity", start_->angular_velocity, range::point);
     std::apply([&](const auto&... guide) { (number(guide), ...); }, guides_);
   }
 
@@ -187,16 +121,33 @@ class RigidBody {
     each_guide([&](const auto& guide) {
       if constexpr (requires { guide.point(); }) pivot = guide.point();
     });
-    number_ = nodes.add_body(nodes_, own_, pivot);
-    if (masses_.empty()) share_mass(nodes);
-    for (std::size_t k = 0; k < nodes_.size(); ++k) nodes.add_mass(nodes_[k], masses_[k]);
-    guide(nodes.bodies()[number_]);
+    number_ = nodes.bodies().size();
+    check_inertia(nodes);
+    const std::vector<double> masses = nodal_masses(nodes);
+    nodes.add_body(nodes_, own_, pivot);
+    Inertia lumped;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      lumped.add(masses[k], nodes.x(nodes_[k]).template cast<double>());
+      nodes.add_mass(nodes_[k], masses[k]);
+    }
+    RigidMotion& body = nodes.bodies()[number_];
+    body.set_beside_nodes(own_.mass - lumped.mass,
+                          own_.mass * (own_.centre - body.centre()) - lumped.mass * (lumped.centre - body.centre()));
+    guide(body);
   }
 
   /// Takes the motion of its nodes at the start.
   template <class N>
   void start_body(N& nodes) {
     RigidMotion& body = nodes.bodies()[number_];
+    if (start_) {
+      const Eigen::Vector3d from =
+          own_.mass > 0 ? Eigen::Vector3d(body.centre() - own_.centre) : Eigen::Vector3d::Zero();
+      body.set(start_->velocity + cross(start_->angular_velocity, from), start_->angular_velocity);
+      momentum_ = body.momentum();
+      detail::move_with(nodes, body);
+      return;
+    }
     Inertia even;
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), of_momentum = momentum;
     for (const Index i : nodes_) even.add(nodes.mass(i), nodes.x(i).template cast<double>());
@@ -228,7 +179,7 @@ class RigidBody {
   void constrain(N& nodes, const Step& step, Ledger& ledger) {
     RigidMotion& body = nodes.bodies()[number_];
     const double kick = step.kick();
-    Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
+    Eigen::Vector3d force = body.force_beside_nodes(), moment = body.moment_beside_nodes();
     double apart = 0;  // kinetic energy of the nodes, as if they were free
     for (const Index i : nodes_) {
       const Eigen::Vector3d x = nodes.x(i), f = nodes.f(i), v = nodes.v(i);
@@ -241,6 +192,7 @@ class RigidBody {
       }
     }
     velocity_before_ = body.velocity(), spin_before_ = body.angular_velocity();
+    if (spin_before_.isZero(0)) momentum_.setZero();  // a relaxation has stopped what is pinned
     body.push(kick * force, kick * moment);
     ledger.kinetic +=
         0.5 * (body.mass() * velocity_before_.dot(body.velocity()) + spin_before_.dot(body.angular_momentum())) - apart;
@@ -272,11 +224,40 @@ class RigidBody {
   }
 
  private:
-  /// Masses of the nodes that have the sum and the centre of its own: m (1 + a . (x - mean)), which need not be equal.
+  /// Errors: an inertia that no body has; none about an axis about which nodes turn.
   template <class N>
-  void share_mass(const N& nodes) {
-    masses_.assign(nodes_.size(), 0.0);
-    if (!(own_.mass > 0)) return;
+  void check_inertia(const N& nodes) const {
+    const auto refuse = [&](const std::string& why) {
+      throw Error(detail::joined({"strike: the rigid body ", std::to_string(number_), ": ", why, "."}));
+    };
+    if (const std::string fault = detail::fault_of(own_, replaces_); !fault.empty()) refuse(fault);
+    Inertia all = own_, even;
+    for (const Index i : nodes_) {
+      const Eigen::Vector3d x = nodes.x(i).template cast<double>();
+      all.add(nodes.mass(i), x), even.add(1, x);
+      if constexpr (N::nodes_turn) all.moment += SymmetricTensor<double>::isotropic(nodes.inertia(i));
+    }
+    if (!(all.mass > 0)) return;  // told where masses are checked
+    const std::optional<Eigen::Vector3d> line = RigidMotion::axis_without_inertia(all.moment);
+    const double size = trace(even.moment), about = line ? line->dot(even.moment * *line) : 0;
+    if (size > 0 && (!(trace(all.moment) > 0) || about > 1e-6 * size))
+      refuse("its nodes lie apart and it has no moment of inertia; give its Inertia one");
+  }
+  /// Masses of the nodes: of cells theirs, else those that have the sum and the centre of its own if there are such, m
+  /// (1 + a . (x - mean)), or equal ones. Nodes without any mass get a mean one. By none of these does the body move.
+  template <class N>
+  std::vector<double> nodal_masses(const N& nodes) const {
+    std::vector<double> masses = is_of_cells_ ? masses_ : shares(nodes);
+    double all = own_.mass;
+    for (const Index i : nodes_) all += nodes.mass(i);
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      if (!(masses[k] + nodes.mass(nodes_[k]) > 0)) masses[k] = all / static_cast<double>(nodes_.size());
+    return masses;
+  }
+  template <class N>
+  std::vector<double> shares(const N& nodes) const {
+    std::vector<double> masses(nodes_.size(), own_.mass / static_cast<double>(nodes_.size()));
+    if (!(own_.mass > 0)) return masses;
     Inertia even;
     for (const Index i : nodes_) even.add(1, nodes.x(i).template cast<double>());
     // sum of (x - mean)(x - mean), which is tr(J)/2 I - J; lifted where the nodes lie in a plane or a line
@@ -284,19 +265,13 @@ class RigidBody {
     const SymmetricTensor<double> second =
         SymmetricTensor<double>::isotropic(0.5 * size + 1e-9 * size + 1e-300) + (-1.0) * even.moment;
     const Eigen::Vector3d way = own_.centre - even.centre, a = even.mass * (inverse(second) * way);
-    const double extent = std::sqrt(size);
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    std::vector<double> linear = masses;
     double least = 1;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const Eigen::Vector3d x = nodes.x(nodes_[k]).template cast<double>();
-      const double share = 1 + a.dot(x - even.centre);
-      masses_[k] = own_.mass / even.mass * share, least = std::min(least, share);
-      centre += share / even.mass * x;
+      const double share = 1 + a.dot(nodes.x(nodes_[k]).template cast<double>() - even.centre);
+      linear[k] *= share, least = std::min(least, share);
     }
-    if (!(least > 0) || (centre - own_.centre).norm() > 1e-6 * extent)
-      throw Error(detail::joined({"strike: the centre of mass ", detail::text(own_.centre), " of the rigid body ",
-                                  std::to_string(number_), " is not well within its nodes, whose mean is ",
-                                  detail::text(even.centre), "; give it nodes on all sides of it."}));
+    return least > 1e-3 ? linear : masses;
   }
 
   /// Makes the directions and axes orthonormal: each less its parts along those before it.
@@ -390,7 +365,12 @@ class RigidBody {
   };
 
   std::vector<Index> nodes_;
-  std::vector<double> masses_;      // of its own, of the nodes
+  std::vector<double> masses_;                   // of the nodes, from its cells
+  bool is_of_cells_ = false, replaces_ = false;  // it has cells; its inertia is not theirs
+  struct Start {
+    Eigen::Vector3d velocity, angular_velocity;
+  };
+  std::optional<Start> start_ = {};
   Mesh cells_;                      // without nodes
   std::vector<PartFaces> outside_;  // of these
   Inertia own_;
@@ -411,5 +391,11 @@ RigidBody(Mesh, double, Thickness, Guides...) -> RigidBody<Guides...>;
 template <class... Guides>
   requires(!(std::is_arithmetic_v<Guides> || ...))
 RigidBody(Mesh, double, Guides...) -> RigidBody<Guides...>;
+template <class Thickness, class... Guides>
+  requires std::is_arithmetic_v<Thickness>
+RigidBody(Mesh, Inertia, Thickness, Guides...) -> RigidBody<Guides...>;
+template <class... Guides>
+  requires(!(std::is_arithmetic_v<Guides> || ...))
+RigidBody(Mesh, Inertia, Guides...) -> RigidBody<Guides...>;
 
 }  // namespace strike

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,33 @@ inline Inertia inertia(const Mesh& mesh, double density, double thickness = 0) {
 }
 
 namespace detail {
+
+/// xx, and the minors to the determinant, are above 0.
+inline bool is_positive_definite(const SymmetricTensor<double>& A) {
+  return A.xx > 0 && A.xx * A.yy - A.xy * A.xy > 0 && determinant(A) > 0;
+}
+/// Why no body has this inertia, and what to do; empty if one may. Mass (x - centre)(x - centre), tr(J)/2 I - J, is
+/// nowhere negative: no principal moment is larger than the sum of the others. One without moment is a point. Numbers
+/// of a few digits pass. `whole`: it has a mass and turns about any axis with a moment of inertia.
+inline std::string fault_of(const Inertia& own, bool whole) {
+  const SymmetricTensor<double>& J = own.moment;
+  const double size = trace(J);
+  const std::string is =
+      joined({"its moment of inertia has the components ", text(J.xx), ", ", text(J.yy), ", ", text(J.zz), ", ",
+              text(J.xy), ", ", text(J.yz), ", ", text(J.zx), " (xx, yy, zz, xy, yz, zx)"});
+  const auto lifted = [&](double by) { return SymmetricTensor<double>::isotropic(by * size); };
+  const bool is_point = J.xx == 0 && J.yy == 0 && J.zz == 0 && J.xy == 0 && J.yz == 0 && J.zx == 0;
+  if (whole && !(own.mass > 0 && own.mass < 1e300))
+    return joined({"its mass is ", text(own.mass), "; give its Inertia one above 0"});
+  if (is_point && !whole) return "";
+  if (!is_positive_definite(J + lifted(whole ? -1e-9 : 1e-5)) || !(size < 1e300))
+    return joined({is, ", which is not positive; give principal moments above 0"});
+  if (!is_positive_definite(lifted(0.5 + 1e-5) + (-1.0) * J))
+    return joined({is,
+                   ", of which a principal moment is larger than the sum of the others, as of no body; look at its "
+                   "units, its centre and the signs of xy, yz and zx"});
+  return "";
+}
 
 /// Points and weights of Gauss on [-1, 1], exact to the fifth power.
 struct ThreePoints {

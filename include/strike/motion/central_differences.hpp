@@ -88,6 +88,7 @@ double kinetic_energy(const N& nodes) {
 template <class N>
 double force_power(const N& nodes) {
   double power = 0;
+  for (const RigidMotion& body : nodes.bodies()) power += body.power_beside_nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     power += static_cast<double>(nodes.f(i).dot(nodes.v(i)));
     if constexpr (N::nodes_turn) power += static_cast<double>(nodes.moment(i).dot(nodes.w(i)));

@@ -96,8 +96,9 @@ class Nodes {
   /// Node i belongs to a rigid body, that of this number.
   bool is_rigid(std::size_t i) const { return i < body_of_.size() && body_of_[i] != no_body; }
   std::size_t body_of(std::size_t i) const { return body_of_[i]; }
-  /// Clears the forces on nodes of bodies to which no element adds.
+  /// Clears the forces on nodes of bodies to which no element adds, and what acts on bodies beside their nodes.
   void clear_bare_forces() {
+    for (RigidMotion& body : bodies_) body.clear_loads();
     for (const Index place : bare_) {
       own_.force[place] = 0;
       if constexpr (turn) own_.moment[place] = 0;

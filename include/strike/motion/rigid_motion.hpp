@@ -112,6 +112,26 @@ class RigidMotion {
     return {std::exchange(by_guides_, none), std::exchange(moment_by_guides_, none)};
   }
 
+  /// What the masses of its nodes lack of its own: mass, and mass times the way from the centre, at the start.
+  void set_beside_nodes(double mass, const Eigen::Vector3d& first_moment) {
+    mass_beside_ = mass, first_moment_ = first_moment;
+  }
+  /// A body force acts on that too, with this acceleration, until the loads are cleared; and the power that it has, of
+  /// the velocities before it pushes the body and after it.
+  void clear_loads() {
+    force_beside_.setZero(), moment_beside_.setZero();
+    first_moment_now_ = times<double>(rotation_, first_moment_), spin_of_loads_ = angular_velocity();
+  }
+  void accelerate(const Eigen::Vector3d& a) {
+    force_beside_ += mass_beside_ * a, moment_beside_ += cross(first_moment_now_, a);
+  }
+  double power_beside_nodes(const Eigen::Vector3d& a) const {
+    return mass_beside_ * a.dot(velocity_) + cross(first_moment_now_, a).dot(spin_of_loads_);
+  }
+  double power_beside_nodes() const { return force_beside_.dot(velocity_) + moment_beside_.dot(spin_of_loads_); }
+  const Eigen::Vector3d& force_beside_nodes() const { return force_beside_; }
+  const Eigen::Vector3d& moment_beside_nodes() const { return moment_beside_; }
+
   /// Takes note of its velocities half a step ago: what it has beyond them forces and guides have given.
   void note_kick(const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
     kick_ = velocity_ - velocity, spin_of_kick_ = this->angular_velocity() - angular_velocity;
@@ -124,6 +144,7 @@ class RigidMotion {
   /// that this takes change its angular momentum, and their work is returned.
   double move(double dt, std::span<const double> rates = {}) {
     centre_before_ = centre_, rotation_before_ = rotation_, spin_before_ = angular_velocity(), dt_ = dt;
+    spin_of_loads_ = spin_before_;
     centre_ += dt * velocity_;
     return axes_.empty() ? (turn_freely(dt), 0.0) : turn_about(rates, dt);
   }
@@ -140,6 +161,17 @@ class RigidMotion {
   void serialize(Archive& archive) {
     archive.same(nodes_);
     archive(centre_, velocity_, angular_momentum_, rotation_);
+    archive(force_beside_, moment_beside_, first_moment_now_, spin_of_loads_);
+  }
+  /// The axis about which there is no inertia, if it is but one.
+  static std::optional<Eigen::Vector3d> axis_without_inertia(const SymmetricTensor<double>& A) {
+    const double size = trace(A);
+    if (!(size > 0) || determinant(A) > 1e-12 * size * size * size) return {};
+    const Eigen::Vector3d x(A.xx, A.xy, A.zx), y(A.xy, A.yy, A.yz), z(A.zx, A.yz, A.zz);
+    Eigen::Vector3d line = cross(x, y);
+    for (const Eigen::Vector3d& other : {cross(y, z), cross(z, x)})
+      if (other.squaredNorm() > line.squaredNorm()) line = other;
+    return line.normalized();
   }
 
  private:
@@ -183,12 +215,8 @@ class RigidMotion {
   static SymmetricTensor<double> not_singular(SymmetricTensor<double> A, double mass) {
     const double size = trace(A);
     if (!(size > 0)) return SymmetricTensor<double>::isotropic(mass);
-    if (determinant(A) > 1e-12 * size * size * size) return A;
-    const Eigen::Vector3d x(A.xx, A.xy, A.zx), y(A.xy, A.yy, A.yz), z(A.zx, A.yz, A.zz);
-    Eigen::Vector3d line = cross(x, y);
-    for (const Eigen::Vector3d& other : {cross(y, z), cross(z, x)})
-      if (other.squaredNorm() > line.squaredNorm()) line = other;
-    return A + size * outer_square<double>(line.normalized());
+    const std::optional<Eigen::Vector3d> line = axis_without_inertia(A);
+    return line ? A + size * outer_square<double>(*line) : A;
   }
 
   /// Euler's equations by steps of the implicit midpoint (Austin, Krishnaprasad and Wang 1993, J. Comput. Phys. 107,
@@ -271,6 +299,10 @@ class RigidMotion {
   Eigen::Vector3d centre_before_ = Eigen::Vector3d::Zero(), spin_before_ = Eigen::Vector3d::Zero();  // of the last step
   Eigen::Matrix3d rotation_before_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d kick_ = Eigen::Vector3d::Zero(), spin_of_kick_ = Eigen::Vector3d::Zero();  // of this one
+  double mass_beside_ = 0;
+  Eigen::Vector3d first_moment_ = Eigen::Vector3d::Zero(), first_moment_now_ = Eigen::Vector3d::Zero(),
+                  force_beside_ = Eigen::Vector3d::Zero(), moment_beside_ = Eigen::Vector3d::Zero(),
+                  spin_of_loads_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d by_guides_ = Eigen::Vector3d::Zero(), moment_by_guides_ = Eigen::Vector3d::Zero();
   double dt_ = 0;
 };

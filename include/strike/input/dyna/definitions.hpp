@@ -158,9 +158,8 @@ inline void place_by_nodes(Draft& draft, const File& file) {
     if (vector.tail != 0) vector.vector = position(vector.head, vector.line) - position(vector.tail, vector.line);
   for (PendingBlast& blast : draft.blasts)
     if (blast.node != 0) blast.card.centre = position(blast.node, blast.line);
-  for (const PendingCentre& pending : draft.centres)
-    (pending.of_body ? draft.rigid_bodies[pending.inertia].card.inertia.value() : draft.deck.inertias[pending.inertia])
-        .centre = position(pending.node, pending.line);
+  for (const PendingInertia& pending : draft.centres)
+    draft.inertia(pending).centre = position(pending.number, pending.line);
 }
 
 inline constexpr auto definition_keywords = std::to_array<Keyword>({

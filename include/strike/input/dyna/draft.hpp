@@ -150,12 +150,12 @@ struct PendingRigid {
   FileNumber system;
   std::uint32_t line;
 };
-/// A centre that is given by a node.
-struct PendingCentre {
-  std::size_t inertia;  ///< its place in the deck, or that of its rigid body in the draft
-  FileNumber node;
+/// The centre of an inertia that is given by a node, or its axes by a coordinate system.
+struct PendingInertia {
+  std::size_t place;  ///< in the deck, or that of its rigid body in the draft
+  FileNumber number;  ///< of the node or the system
   std::uint32_t line;
-  bool of_body = false;
+  bool of_body;
 };
 struct PendingShell {
   FileNumber number;
@@ -212,7 +212,7 @@ struct Draft {
   std::map<FileNumber, Transformation> transformations = {};
   std::vector<MovedNodes> moved = {};
   std::vector<PendingSystem> systems = {};
-  std::vector<PendingCentre> centres = {};
+  std::vector<PendingInertia> centres = {}, inertia_systems = {};
   std::vector<PendingShell> shells = {};
   std::vector<PendingHardening> hardenings = {};
   std::vector<PendingRigid> rigid_systems = {};
@@ -256,6 +256,9 @@ struct Draft {
       file.refuse({kind, " ", std::to_string(number), " is on line ",
                    file.source().place_beside(known->second, file.line()), " already: give each a number of its own."});
     return number;
+  }
+  InertiaCard& inertia(const PendingInertia& pending) {
+    return pending.of_body ? rigid_bodies[pending.place].card.inertia.value() : deck.inertias[pending.place];
   }
   void support_node(const SupportCard& way, const Choice& node, FileNumber system = 0) {
     const auto [known, is_new] = support_ways.try_emplace({way.held, way.held_turns, system}, node_supports.size());

@@ -99,12 +99,13 @@ inline void plates(File& file, Draft& draft) {
   });
 }
 
-/// The inertia of a part or a rigid body; `node` is where its centre is, 0 if it is given.
-inline InertiaCard inertia_card(FileNumber part, File& file, FileNumber& node) {
+/// The inertia of a part or a rigid body, at this place in the deck or the draft.
+inline InertiaCard inertia_card(FileNumber part, File& file, Draft& draft, std::size_t place, bool of_body) {
   Card first = file.card(), second = file.card();
   InertiaCard card{part, first.vector("XC to ZC"), first.number("TM"), {}, {}, {}};
   const FileNumber kind = first.integer("IRCS");
-  node = first.tag("NODEID", Id::node);
+  if (const FileNumber node = first.tag("NODEID", Id::node); node != 0)
+    draft.centres.push_back({place, node, file.line(), of_body});
   const double xx = second.number("IXX"), xy = second.number("IXY"), xz = second.number("IXZ");
   const double yy = second.number("IYY"), yz = second.number("IYZ"), zz = second.number("IZZ");
   card.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
@@ -113,18 +114,15 @@ inline InertiaCard inertia_card(FileNumber part, File& file, FileNumber& node) {
   if (kind == 1) {
     Card local = file.card();
     const Eigen::Vector3d along = local.vector("XL to ZL"), in_plane = local.vector("XLIP to ZLIP");
-    if (local.tag("CID", Id::define) != 0)
-      file.refuse({"the axes of the inertia are those of CID, which is not read here: give XL to ZLIP."});
-    const Eigen::Matrix3d axes = axes_of(along, in_plane, 0, file.source(), file.line());
-    card.inertia = (axes * card.inertia * axes.transpose()).eval();
+    if (const FileNumber system = local.tag("CID", Id::define); system != 0)
+      draft.inertia_systems.push_back({place, system, file.line(), of_body});
+    else
+      card.turn(axes_of(along, in_plane, 0, file.source(), file.line()));
   }
   return card;
 }
 inline void inertia(FileNumber part, File& file, Draft& draft) {
-  FileNumber node = 0;
-  const InertiaCard card = inertia_card(part, file, node);
-  if (node != 0) draft.centres.push_back({draft.deck.inertias.size(), node, file.line()});
-  draft.deck.inertias.push_back(card);
+  draft.deck.inertias.push_back(inertia_card(part, file, draft, draft.deck.inertias.size(), false));
 }
 inline PartContact part_contact(File& file) {
   Card card = file.card();

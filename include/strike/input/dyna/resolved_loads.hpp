@@ -33,6 +33,8 @@ inline void follow_curve(CardHistory& history, std::uint32_t line, const Lookup&
 }
 
 inline void resolve_bodies(Draft& draft, const Lookup& lookup, DynaDeck& deck) {
+  for (const PendingInertia& pending : draft.inertia_systems)
+    draft.inertia(pending).turn(lookup.axes({Named::all, pending.number, pending.line}));
   for (auto& [card, choices, system, line] : draft.rigid_bodies) {
     card.nodes = lookup.nodes(choices);
     if (system != 0) card.held.system = lookup.axes({Named::all, system, line});

@@ -32,11 +32,7 @@ inline void rigid_bodies(File& file, Draft& draft) {
       Card constraint = file.card();
       pending.system = held_by_body(constraint, pending.card.held, "a rigid body", file);
     }
-    if (with_inertia) {
-      FileNumber node = 0;
-      pending.card.inertia = inertia_card(number, file, node);
-      if (node != 0) draft.centres.push_back({draft.rigid_bodies.size(), node, file.line(), true});
-    }
+    if (with_inertia) pending.card.inertia = inertia_card(number, file, draft, draft.rigid_bodies.size(), true);
     if (overrides) file.ignore(file.card().says_more(), "The overriding switches of contacts");
     draft.rigid_bodies.push_back(std::move(pending));
   };

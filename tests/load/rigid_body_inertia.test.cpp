@@ -1,0 +1,228 @@
+// Rigid bodies whose inertia is not that of their cells, and that carry more nodes than these have.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <strike/dynamics/explicit.hpp>
+#include <strike/element/hex8.hpp>
+#include <strike/load/body_force.hpp>
+#include <strike/load/initial_velocity.hpp>
+#include <strike/load/rigid_body.hpp>
+#include <strike/material/elastic.hpp>
+#include <strike/mesh/box.hpp>
+#include <strike/mesh/select.hpp>
+#include <strike/output/checkpoint.hpp>
+
+#include "output/scratch.hpp"
+#include "support/catch.hpp"
+
+using namespace strike;
+using Eigen::Vector3d;
+
+namespace {
+
+const Mesh brick = box({.lower = {-0.5, -0.3, -0.1}, .size = {1, 0.6, 0.2}, .cells = {1, 1, 1}});
+const Eigen::Matrix3d tilted = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+const ExplicitOptions steps{.largest_step = 1e-3};
+/// Its centre of mass is far outside the brick.
+const Inertia outside{2, {3, 1, -2}, {0.5, 0.7, 0.9, 0.05, -0.1, 0.02}};
+const Vector3d g(0.3, -9, 2), v0(1, 2, 3), w0(0.7, -1.1, 0.4);
+
+Inertia turned(const Inertia& own, const Eigen::Matrix3d& Q) {
+  const auto& J = own.moment;
+  Eigen::Matrix3d A;
+  A << J.xx, J.xy, J.zx, J.xy, J.yy, J.yz, J.zx, J.yz, J.zz;
+  const Eigen::Matrix3d B = Q * A * Q.transpose();
+  return {own.mass, Q * own.centre, {B(0, 0), B(1, 1), B(2, 2), B(0, 1), B(1, 2), B(2, 0)}};
+}
+Mesh turned(Mesh mesh, const Eigen::Matrix3d& Q) {
+  for (Vector3d& x : mesh.nodes) x = Q * x;
+  return mesh;
+}
+/// A brick with that inertia under gravity.
+auto thrown(const Eigen::Matrix3d& Q = Eigen::Matrix3d::Identity()) {
+  return Explicit{Scene{turned(brick, Q).nodes, RigidBody{turned(brick, Q), turned(outside, Q)}.moving(Q * v0, Q * w0),
+                        BodyForce{Q * g}},
+                  steps};
+}
+
+}  // namespace
+
+TEST_CASE("rigid body: one whose centre of mass lies outside its nodes is thrown along a parabola and spins freely") {
+  auto run = thrown();
+  const Vector3d L = run.nodes().bodies()[0].angular_momentum();
+  double balance = 0;
+  for (int step = 0; step < 2000; ++step) {
+    run.step();
+    balance = std::max(balance, std::abs(run.energy().error()));
+  }
+  const RigidMotion& body = run.nodes().bodies()[0];
+  const double t = run.time();
+  CHECK((body.centre() - (outside.centre + t * v0 + 0.5 * t * t * g)).norm() < 1e-11);  // exact by equal steps
+  CHECK((body.angular_momentum() - L).norm() < 1e-12);  // gravity has no moment about the centre of mass
+  CHECK(body.rotation().trace() < 2.5);                 // it has turned
+  // Works of the weights of eight nodes and of what they lack, rounding of 20 m of fall.
+  CHECK(balance < 1e-12);
+  const Vector3d before = v0 + (t - run.dt()) * g;  // energies are known one step back
+  CHECK(run.energy().external == Approx(before.squaredNorm() - v0.squaredNorm()).epsilon(1e-6));
+  CHECK((run.momentum() - 2 * (v0 + (t - 0.5 * run.dt()) * g)).norm() < 1e-10);
+}
+
+TEST_CASE("rigid body: one with an inertia of its own turns with the scene") {
+  auto here = thrown(), there = thrown(tilted);
+  here.until(1), there.until(1);
+  double apart = 0;
+  for (std::size_t i = 0; i < brick.nodes.size(); ++i)
+    apart = std::max(apart, (tilted * here.positions()[i] - there.positions()[i]).norm());
+  CHECK(apart < 1e-11);
+}
+
+TEST_CASE("rigid body: a pendulum whose weight hangs outside its nodes has the period of the elliptic integral") {
+  const double start = 2.0, weight = 9.81;  // rad
+  const Inertia own{1.5, {1, 0, 0}, {0.2, 0.3, 0.4, 0, 0, 0}};
+  const Vector3d pivot(-0.4, 0, 0), down(std::cos(start), std::sin(start), 0);
+  Explicit run{Scene{brick.nodes, RigidBody{brick, own, PinnedBody{pivot}}, BodyForce{weight * down}}, steps};
+  const double arm = 1.4, about = 0.4 + 1.5 * arm * arm;
+  double before = 0, turned_back = 0, pull = 0, balance = 0;
+  for (int returns = 0; returns < 2;) {
+    run.step();
+    pull = std::max(pull, -run.item<0>().force().dot(down));
+    balance = std::max(balance, std::abs(run.energy().imbalance()));
+    const double now = run.nodes().bodies()[0].angular_velocity().z();
+    if (before * now < 0) turned_back = run.time() - run.dt() / 2 - run.dt() * now / (now - before), ++returns;
+    before = now;
+  }
+  const double period = 4 * std::sqrt(about / (1.5 * weight * arm)) * std::comp_ellint_1(std::sin(start / 2));
+  CHECK(turned_back == Approx(period).epsilon(1e-6));  // second order in w dt = 3e-3
+  const double w2 = 2 * 1.5 * weight * arm * (1 - std::cos(start)) / about;
+  CHECK(pull == Approx(1.5 * (weight + arm * w2)).epsilon(5e-3));  // half a step late, w dt/2 = 2e-3
+  CHECK(balance < 1e-6 * 1.5 * weight * arm * (1 - std::cos(start)));
+}
+
+namespace {
+
+/// A soft bar that a block at its end carries.
+struct Carried {
+  Mesh mesh = box({.size = {1, 0.2, 0.2}, .cells = {10, 2, 2}});
+  Cells<8> bar, block;
+  std::vector<Index> held, next;  // nodes of the block, and of the layer of the bar behind it
+
+  Carried() {
+    for (const auto& cell : mesh.hexahedra) (mesh.nodes[cell[0]].x() > 0.75 ? block : bar).push_back(cell);
+    held = nodes_where(mesh.nodes, [](const Vector3d& x) { return x.x() > 0.75; });
+    next = nodes_where(mesh.nodes, [](const Vector3d& x) { return x.x() > 0.65 && x.x() < 0.75; });
+  }
+  Mesh cells() const { return {mesh.nodes, block}; }
+  template <class Body>
+  auto run(const Body& body) const {
+    return Explicit{Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e6, 0.3}, bar}, body, BodyForce{g},
+                          InitialVelocity{v0, Spin{{3, 2, 5}, {0.4, 0.1, 0.1}}}}};
+  }
+};
+double apart(const auto& one, const auto& other) {
+  double most = 0;
+  for (std::size_t i = 0; i < one.nodes().size(); ++i)
+    most = std::max(most, (one.positions()[i] - other.positions()[i]).norm());
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("rigid body: the inertia of its cells, given in numbers, is that of their density") {
+  const Carried all;
+  auto by_density = all.run(RigidBody{all.cells(), 3000});
+  auto by_numbers = all.run(RigidBody{all.cells(), inertia(all.cells(), 3000)});
+  by_density.until(0.05), by_numbers.until(0.05);
+  CHECK(apart(by_density, by_numbers) < 1e-12);
+  CHECK(std::abs(by_numbers.energy().error()) < 1e-3);
+}
+
+TEST_CASE("rigid body: more nodes move with the cells, and what hangs on them counts in its inertia") {
+  const Carried all;
+  std::vector<Index> both = all.held;
+  both.insert(both.end(), all.next.begin(), all.next.end());
+  auto by_cells = all.run(RigidBody{all.cells(), 3000}.with_nodes(all.next).with_nodes({all.next[0], all.held[0]}));
+  auto by_nodes = all.run(RigidBody{both, inertia(all.cells(), 3000)});
+  CHECK(by_cells.nodes().bodies()[0].mass() == Approx(by_nodes.nodes().bodies()[0].mass()).epsilon(1e-13));
+  by_cells.until(0.05), by_nodes.until(0.05);
+  CHECK(apart(by_cells, by_nodes) < 1e-10);  // shares of the mass differ, which do not count
+  CHECK(std::abs(by_cells.energy().error()) < 1e-3);
+  for (const Index i : all.next) {
+    const double now = (by_cells.positions()[i] - by_cells.positions()[all.held[0]]).norm();
+    CHECK(now == Approx((all.mesh.nodes[i] - all.mesh.nodes[all.held[0]]).norm()).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("rigid body: nodes without elements ride along and weigh nothing") {
+  std::vector<Vector3d> nodes = brick.nodes;
+  nodes.push_back({7, 0, 0}), nodes.push_back({0, -4, 1});
+  const Mesh mesh{nodes, brick.hexahedra};
+  const Inertia own = inertia(mesh, 12);
+  Explicit run{
+      Scene{nodes, RigidBody{mesh, 12}.with_nodes({8, 9}), BodyForce{g}, InitialVelocity{v0, Spin{w0, own.centre}}},
+      steps};
+  CHECK(run.nodes().bodies()[0].mass() == Approx(own.mass).epsilon(1e-14));
+  const Vector3d L = run.nodes().bodies()[0].angular_momentum();
+  double balance = 0;
+  for (int step = 0; step < 1000; ++step) {
+    run.step();
+    balance = std::max(balance, std::abs(run.energy().error()));
+  }
+  const double t = run.time();
+  CHECK((run.nodes().bodies()[0].centre() - (t * v0 + 0.5 * t * t * g)).norm() < 1e-11);
+  CHECK((run.nodes().bodies()[0].angular_momentum() - L).norm() < 1e-12);
+  CHECK((run.positions()[8] - run.positions()[9]).norm() == Approx(std::sqrt(49 + 16 + 1)).epsilon(1e-13));
+  CHECK(balance < 1e-12);
+}
+
+TEST_CASE("rigid body: one node carries a mass off it, whose spin is told") {
+  const Inertia own{2, {0, 1, 0}, {0.1, 0.1, 0.1, 0, 0, 0}};
+  Explicit run{
+      Scene{std::vector<Vector3d>{{0, 0, 0}}, RigidBody{std::vector<Index>{0}, own}.moving({0, 0, 0}, {5, 0, 0})},
+      steps};
+  run.until(1);
+  CHECK((run.positions()[0] - Vector3d(0, 1 - std::cos(5.0), -std::sin(5.0))).norm() < 1e-11);
+}
+
+TEST_CASE("rigid body: a checkpoint goes on to the bit where weights act beside its nodes") {
+  const ScratchFolder folder("rigid_body_inertia");
+  auto half = thrown(), other = thrown();
+  half.until(0.5);
+  write_checkpoint(folder / "half", half);
+  read_checkpoint(folder / "half", other);
+  other.until(1), half.until(1);
+  CHECK(other.positions() == half.positions());
+  CHECK(other.energy().external == half.energy().external);
+}
+
+TEST_CASE("rigid body: an inertia that no body has is refused in a sentence") {
+  const auto refusal = [](const auto& body) -> std::string {
+    try {
+      Explicit run{Scene{brick.nodes, body}, steps};
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using Catch::Matchers::ContainsSubstring;
+  const auto of = [](double mass, const SymmetricTensor<double>& J) { return RigidBody{brick, Inertia{mass, {}, J}}; };
+  CHECK(refusal(of(1, {1, 1, 1, 0, 0, 0})).empty());
+  CHECK(refusal(of(1, {1, 1, 2, 0, 0, 0})).empty());                       // a plate: just as large as the sum
+  CHECK(refusal(of(1, {0.123457, 0.234568, 0.358024, 0, 0, 0})).empty());  // the same in six digits
+  CHECK_THAT(refusal(of(0, {1, 1, 1, 0, 0, 0})), ContainsSubstring("the rigid body 0: its mass is 0"));
+  CHECK_THAT(refusal(of(1, {})), ContainsSubstring("is not positive"));
+  CHECK_THAT(refusal(of(1, {1, 1, 0, 0, 0, 0})), ContainsSubstring("is not positive"));
+  CHECK_THAT(refusal(of(1, {1, 1, 1, 2, 0, 0})), ContainsSubstring("is not positive"));
+  CHECK_THAT(refusal(of(1, {1, 1, 2.1, 0, 0, 0})), ContainsSubstring("larger than the sum of the others"));
+  // Principal moments 0.5, 1.5 and 0.9.
+  CHECK_THAT(refusal(of(1, {1, 1, 0.9, 0.5, 0, 0})), ContainsSubstring("larger than the sum of the others"));
+  CHECK_THAT(refusal(RigidBody{std::vector<Index>{0, 1, 2}, Inertia{1, {}, {}}}),
+             ContainsSubstring("its nodes lie apart and it has no moment of inertia"));
+  CHECK_THAT(refusal(RigidBody{std::vector<Index>{0, 1, 2}, Inertia{1, {}, {1, 1, 0, 0, 0, 0}}}),
+             ContainsSubstring("its nodes lie apart and it has no moment of inertia"));
+  CHECK_THAT(refusal(of(1, {1, 1, 1, 0, 0, 0}).with_nodes({99})), ContainsSubstring("99"));
+}
