@@ -1,37 +1,25 @@
 #pragma once
-#include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/arrangement.hpp>
-#include <strike/dynamics/balance.hpp>
 #include <strike/dynamics/explicit_options.hpp>
 #include <strike/dynamics/ill_formed_run.hpp>
 #include <strike/dynamics/item.hpp>
 #include <strike/dynamics/last_steps.hpp>
 #include <strike/dynamics/method.hpp>
-#include <strike/dynamics/not_finite.hpp>
 #include <strike/dynamics/observer.hpp>
 #include <strike/dynamics/running_item.hpp>
 #include <strike/dynamics/running_scene.hpp>
 #include <strike/dynamics/scene.hpp>
-#include <strike/error.hpp>
-#include <strike/mesh/describe.hpp>
 #include <strike/motion/central_differences.hpp>
-#include <strike/motion/clock.hpp>
-#include <strike/motion/execution.hpp>
-#include <strike/motion/ledger.hpp>
 #include <strike/motion/step.hpp>
-#include <strike/text.hpp>
 
 namespace strike {
 
