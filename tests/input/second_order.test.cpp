@@ -146,9 +146,9 @@ std::string as_dyna(const Quadratic& mesh) {
   return text + "*SET_SOLID\n1\n1\n*END\n";
 }
 
-/// Volume inside a closed surface of triangles and bilinear quadrilaterals, and twice its area.
+/// Of a surface its area, the sum of its area vectors, and whether each edge has two faces that run along it both ways.
 struct Skin {
-  double volume = 0, area = 0;
+  double area = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   bool is_closed = true;
 };
@@ -174,12 +174,12 @@ bool warns(const Deck& deck, const std::string& what) {
 
 /// A box of 1 x 2 x 3 in 5 tetrahedra for each of two bricks.
 Quadratic tetrahedra_of_box() {
-  const Mesh bricks = box({.lengths = {1, 2, 3}, .counts = {1, 1, 2}});
+  const Mesh bricks = box({.size = {1, 2, 3}, .cells = {1, 1, 2}});
   const Mesh mesh = tetrahedralized(bricks, Split::five);
   return quadratic(Kind::tetrahedron10, mesh.nodes, mesh.tetrahedra);
 }
 Quadratic bricks(Kind kind) {
-  const Mesh mesh = box({.lengths = {1, 2, 3}, .counts = {1, 2, 2}});
+  const Mesh mesh = box({.size = {1, 2, 3}, .cells = {1, 2, 2}});
   return quadratic(kind, mesh.nodes, mesh.hexahedra);
 }
 const std::vector<Eigen::Vector3d> prism{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2},
