@@ -9,11 +9,13 @@
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/element/particle.hpp>
+#include <strike/element/plate3.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
 #include <strike/material/plane_stress.hpp>
 #include <strike/mesh/particles.hpp>
 #include <strike/mesh/tetrahedra.hpp>
+#include <strike/mesh/triangulated.hpp>
 #include <strike/section/layered.hpp>
 
 #include "../support/materials.hpp"
@@ -123,6 +125,11 @@ inline const Mesh sheet = bench::sheet({400, 250});
 inline const Usual plates{sheet.nodes, sheet.quadrilaterals, Plate4{},
                           Homogeneous{PlaneStress{copper}, bench::sheet_thickness}, bench::Stretch{}};
 
+/// 100,000 triangles, stretched and bent.
+inline const Mesh split_sheet = triangulated(bench::sheet({250, 200}));
+inline const Usual triangles{split_sheet.nodes, split_sheet.triangles, Plate3{},
+                             Homogeneous{PlaneStress{copper}, bench::sheet_thickness}, bench::Stretch{}};
+
 /// 24,000 particles of water, squeezed.
 inline const Mesh drop = particles(BoxShape{.size = {0.02, 0.03, 0.04}, .cells = {20, 30, 40}});
 inline const Usual cloud{drop.nodes, drop.particles, Particle{}, bench::water, bench::Squeeze{}};
@@ -150,5 +157,6 @@ Group plate_materials();
 Group plate_laminates();
 Group plate_elements();
 Group plate_numbers();
+Group triangle_choices();
 
 }  // namespace prices

@@ -86,6 +86,13 @@ Group plate_elements() {
                              Plate4{NoPlateHourglass{}, NoWarping{}, constant, FreeDrilling{}})}};
 }
 
+Group triangle_choices() {
+  return {"Triangles",
+          {triangles.of_element("ThicknessChange", Plate3{ThicknessChange{}}),
+           triangles.of_element("FreeDrilling", Plate3{ConstantThickness{}, FreeDrilling{}}),
+           triangles.of_material("elastic", Homogeneous{PlaneStress{elastic}, h})}};
+}
+
 Group plate_numbers() {
   return {"Plates: numbers",
           {plates.by("double, one lane", in<double>), plates.by("Pack<float>", in<Pack<float>>),

@@ -119,7 +119,15 @@ thickness, drilling stiffness) of one layer with Simpson's five points, of the s
             plate_materials(),
             plate_laminates(),
             plate_elements(),
-            plate_numbers()}}};
+            plate_numbers()}},
+          {R"(
+## Triangles
+
+The usual is such a sheet of 100 000 `Plate3{}`.
+)",
+           triangles.itself("the usual triangle"),
+           triangles.cells.size(),
+           {{"The usual triangle", {triangles.itself("the usual triangle against itself")}}, triangle_choices()}}};
 }
 
 /// What is left of all if the titles of groups or the names of features must have a word in them.

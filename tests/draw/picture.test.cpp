@@ -1,9 +1,22 @@
+#include <algorithm>
 #include <limits>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <strike/draw/picture.hpp>
+#include <strike/dynamics/explicit.hpp>
+#include <strike/element/plate3.hpp>
+#include <strike/load/initial_velocity.hpp>
+#include <strike/material/elastic.hpp>
+#include <strike/material/plane_stress.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/cylinder.hpp>
 #include <strike/mesh/remaining.hpp>
+#include <strike/mesh/select.hpp>
+#include <strike/mesh/sheet.hpp>
+#include <strike/mesh/triangulated.hpp>
+#include <strike/section/layered.hpp>
 
 #include "drawing.hpp"
 #include "output/scratch.hpp"
@@ -268,4 +281,31 @@ TEST_CASE("picture: particles without a node, a volume or a value are errors") {
   CHECK_THROWS_AS(picture.add(Particles{{{0}, {1}}, {1, 0}}, places), Error);
   CHECK_THROWS_AS(picture.add(Particles{{{0}, {2}}, {1, 1}}, places), Error);
   CHECK_THROWS_AS(picture.svg(), Error);  // nothing of them is there
+}
+
+TEST_CASE("picture: triangles of a running scene, at their places and in the colours of their field") {
+  const Mesh mesh = triangulated(rectangle({.size = {2, 1}, .cells = {2, 1}}));  // four triangles in the plane z = 0
+  const Homogeneous section{PlaneStress{Elastic{.density = 1, .youngs_modulus = 1, .poissons_ratio = 0}}, 0.1};
+  Explicit run{
+      Scene{mesh.nodes, Part{Plate3{}, section, mesh.triangles}, InitialVelocity{{1, 0, 0}, all_nodes(mesh.nodes)}}};
+  const auto drawn = [&] {
+    Picture picture{{.from = {0, 0, 1}, .low = 0, .high = 4, .colours = {{1, 0, 0}, {0, 0, 0}, 0}}};
+    picture.add(surface(mesh), run.positions(), std::vector<double>{0, 1, 2, 3});
+    return picture.svg();
+  };
+  const std::string before = drawn();
+  run.until(3);  // it flies without strain, so the picture is the same about its middle
+  CHECK(run.positions()[0].x() == Approx(mesh.nodes[0].x() + 3).epsilon(1e-12));
+  const std::string after = drawn();
+  CHECK(well_formed(after));
+  CHECK(count_of(after, "<path") == 4);
+  std::set<std::string> colours;
+  for (std::size_t at = after.find("<path fill="); at != std::string::npos; at = after.find("<path fill=", at + 1)) {
+    colours.insert(after.substr(at + 12, 7));
+    const std::string outline = after.substr(at, after.find("\"/>", at) - at);
+    CHECK(std::count(outline.begin() + 20, outline.end(), 'l') == 2);  // from the first corner to two others
+    CHECK(outline.back() == 'z');
+  }
+  CHECK(colours.size() == 4);
+  CHECK(count_of(before, "<path") == 4);
 }

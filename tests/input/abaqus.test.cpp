@@ -155,8 +155,8 @@ TEST_CASE("abaqus: what is wrong is told with its line") {
   refused("*NODE\n-1, 0, 0, 0\n", "line 2: the number of a node -1 is out of bounds");
   refused("*NODE, SYSTEM=T\n", "the nodes have the system 'T': give R, C or S.");
   refused("*ELEMENT, ELSET=a\n", "*ELEMENT has no TYPE: write *ELEMENT, TYPE=...");
-  refused("*ELEMENT, TYPE=C3D10M\n", "elements of type 'C3D10M' are not read: mesh in first order");
-  refused("*ELEMENT, TYPE=C3D15\n", "elements of type 'C3D15' are not read");
+  refused("*ELEMENT, TYPE=C3D10M\n", "elements of type 'C3D10M' are of second order: cut them with");
+  refused("*ELEMENT, TYPE=C3D15\n", "elements of type 'C3D15' are of second order: cut them");
   refused(cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7\n*STEP\n", "element 1 of type C3D8 has 7 corners of 8");
   refused(cube + "*ELEMENT, TYPE=C3D4\n1,1,2,3,5,6\n", "element 1 has too many corners for its type C3D4");
   refused(cube + "*ELEMENT, TYPE=C3D8\n1,1,2,3,3,5,5,6,7\n",

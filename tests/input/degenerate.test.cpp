@@ -54,3 +54,22 @@ TEST_CASE("wedges and pyramids: types 6 and 7 of gmsh, C3D6 and C3D5 of Abaqus, 
       read_dyna("*KEYWORD\n*NODE\n" + listed(",") + "*ELEMENT_SOLID\n1,1,2,1,4,5,3,3,6,6\n2,1,1,2,5,4,7,7,7,7\n*END\n",
                 "pair.k"));
 }
+
+TEST_CASE("wedges and pyramids: their faces in surfaces of Abaqus look outward, and free ones are found") {
+  const AbaqusDeck deck =
+      read_abaqus("*NODE\n" + listed(",") +
+                      "*ELEMENT, TYPE=C3D6, ELSET=all\n1,1,2,3,4,5,6\n*ELEMENT, TYPE=C3D5, ELSET=all\n2,1,2,5,4,7\n"
+                      "*SURFACE, NAME=top\n1,S2\n*SURFACE, NAME=side\n1,S4\n*SURFACE, NAME=slope\n2,S3\n"
+                      "*SURFACE, NAME=skin\nall,\n",
+                  "pair.inp");
+  const auto area = [&](const char* name) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto& segment : deck.surface(name).side.segments) sum += area_vector(deck.mesh.nodes, Face{segment, 0});
+    return sum;
+  };
+  CHECK(area("top") == Eigen::Vector3d(0, 0, 0.5));
+  CHECK(area("side") == Eigen::Vector3d(3, 3, 0));       // between 2-3 and 5-6
+  CHECK(area("slope") == Eigen::Vector3d(3, -0.75, 0));  // 2, 5 and the apex: (0 0 3) x (-0.5 -2 1.5) / 2, outward
+  CHECK(deck.surface("skin").side.segments.size() == 5 + 5 - 2);
+  CHECK(area("skin").norm() < 1e-15);
+}

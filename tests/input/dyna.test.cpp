@@ -359,7 +359,7 @@ TEST_CASE("dyna: a keyword without which the deck would be another one is refuse
       {"*PART_DUPLICATE", "write the nodes and elements that it makes."},
       {"*PARAMETER_OTHER", "is not read: write the values of its parameters with *PARAMETER."},
       {"*ELEMENT_SHELL_COMPOSITE", "is not read: write the elements as *ELEMENT_SHELL."},
-      {"*ELEMENT_SOLID_H20", "is not read: write the elements as *ELEMENT_SOLID."},
+      {"*ELEMENT_SOLID_H64", "is not read: write the elements as *ELEMENT_SOLID."},
       {"*DELETE_PART", "belongs to a restart: write the whole deck as it should be."},
       {"*INCLUDE_STAMPED_SET", "is not read, and takes more or less from a file than its text"}};
   for (const auto& [keyword, sentence] : keywords)

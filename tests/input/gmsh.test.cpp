@@ -299,7 +299,7 @@ TEST_CASE("gmsh: what is wrong is told with its line") {
   refused(nodes + "1 4 2 1 1 1 2 3 5\n$EndElements\n", "line 13: element 1 names node 5, which is not in the file");
   refused(nodes + "1 4 2 1 1 1 2 3 3\n$EndElements\n", "element 1 has 3 different corners of 4");
   refused(nodes + "1 6 2 1 1 1 2 3 4 4 4\n$EndElements\n", "line 13: element 1 has 4 different corners of 6");
-  refused(nodes + "1 11 2 1 1 1 2 3 4\n$EndElements\n", "element 1 is of type 11, which is not read: mesh in order 1");
+  refused(nodes + "1 21 2 1 1 1 2 3 4\n$EndElements\n", "element 1 is of type 21, which is not read: mesh in order 1");
   refused(head +
               "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n2\n1 4 0 1 2 3 4\n1 4 0 1 2 3 4\n"
               "$EndElements\n",

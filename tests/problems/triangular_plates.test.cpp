@@ -85,10 +85,10 @@ TEST_CASE("triangular plates: Scordelis and Lo's roof, and a twisted beam") {
   const double coarse = scordelis_lo(8, element).displacement, fine = scordelis_lo(16, element).displacement;
   CHECK(fine == Approx(1).margin(0.05));
   CHECK(std::abs(fine - 1) < 0.5 * std::abs(coarse - 1));
-  // Its triangles meet at angles: the usual stiffness against the drilling is too small (docs/verification.md).
-  const Plate3 held{ConstantThickness{}, DrillingStiffness{1e-2}};
-  CHECK(twisted_beam(4, TipLoad::in_plane, held).displacement == Approx(1).margin(0.02));
-  CHECK(twisted_beam(4, TipLoad::in_plane, element).displacement > 1.05);
+  // Its triangles meet at angles: the stiffness against the drilling that quadrilaterals have is too small.
+  const Plate3 loose{ConstantThickness{}, DrillingStiffness{1e-3}};
+  CHECK(twisted_beam(4, TipLoad::in_plane, element).displacement == Approx(1).margin(0.02));
+  CHECK(twisted_beam(4, TipLoad::in_plane, loose).displacement > 1.05);
 }
 
 TEST_CASE("triangular plates: the explosively loaded panel, between those of quadrilaterals and their limit") {

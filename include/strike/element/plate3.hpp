@@ -24,6 +24,14 @@ template <class T>
 struct Plate3DrillingState<FreeDrilling, T> {
   struct type {};
 };
+/// The resistance to the drilling of a triangle that is given none.
+template <class Drilling>
+constexpr Drilling usual_triangle_drilling() {
+  if constexpr (std::same_as<Drilling, DrillingStiffness>)
+    return DrillingStiffness{1e-2};
+  else
+    return Drilling{};
+}
 }  // namespace detail
 
 /// The three-node C0 plate of Belytschko, Stolarski and Carpenter (1984) with one point in its plane and three
@@ -31,9 +39,10 @@ struct Plate3DrillingState<FreeDrilling, T> {
 /// measured in the middle of the step, so that a rotation strains nothing; the stresses live in the plate's frame. Its
 /// material is a section, as of Plate4. No motion of two triangles or more is without strain but those of a rigid body
 /// and, with FreeDrilling, the drilling, so that it has no hourglass control; of one alone the rotation of its nodes
-/// about the lines to its middle strains nothing. In its plane its strain is uniform: it bends there too stiffly. On
-/// curved surfaces take DrillingStiffness{1e-2}, for triangles meet there at an angle along every edge. Policies:
-/// change of the thickness, and resistance to the drilling (of which `stiffness` alone is used).
+/// about the lines to its middle strains nothing. In its plane its strain is uniform: it bends there too stiffly.
+/// Policies: change of the thickness, and resistance to the drilling (of which `stiffness` alone is used),
+/// DrillingStiffness{1e-2} unless another is given: ten times that of Plate4, for triangles of curved surfaces meet at
+/// an angle along every edge.
 ///   Plate3{}   Plate3{ThicknessChange{}}   Plate3{ConstantThickness{}, FreeDrilling{}}
 template <class Thickness = ConstantThickness, class Drilling = DrillingStiffness>
 struct Plate3 {
@@ -46,7 +55,7 @@ struct Plate3 {
                 "FreeDrilling.");
 
   [[no_unique_address]] Thickness thickness{};
-  [[no_unique_address]] Drilling drilling{};
+  [[no_unique_address]] Drilling drilling = detail::usual_triangle_drilling<Drilling>();
 
   void ranges(const auto& number) const { number(thickness), number(drilling); }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,8 +30,10 @@ namespace detail {
 /// definition").
 class AbaqusReader {
  public:
-  AbaqusReader(Source source, bool leave_out_elements)
-      : file_(std::move(source)), copies_(file_.source()), leave_out_elements_(leave_out_elements) {}
+  AbaqusReader(Source source, const ReadOptions& options)
+      : file_(std::move(source)), copies_(file_.source()), leave_out_elements_(options.leave_out_elements) {
+    all_.raw.second_order = options.second_order;
+  }
 
   AbaqusDeck read() {
     bool any = false;
@@ -190,10 +193,13 @@ class AbaqusReader {
   void elements() {
     const std::string type = upper(file_.required("TYPE"));
     RawMesh::Element element{0, {}, 0, 0, Shape::hexahedron};
-    if (begins_with_one_of(type, {"C3D10", "C3D15", "C3D2", "S8", "S9", "STRI65", "SC6", "SC8", "CPS6", "CPS8"}))
-      file_.refuse({"elements of type ", shown(type),
-                    " are not read: mesh in first order with C3D8, C3D6, C3D5, C3D4, S4 or S3."});
-    if (begins_with_one_of(type, {"C3D8"}))
+    if (begins_with_one_of(type, {"SC6", "SC8"}))
+      file_.refuse({"elements of type ", shown(type), " are not read: mesh with C3D8, C3D6, C3D5, C3D4, S4 or S3."});
+    second_order_type(type, element);
+    if (element.second != SecondOrderKind::none) {
+      if (all_.raw.second_order == SecondOrder::refused)
+        file_.refuse({"elements of type ", shown(type), " are of second order: ", cut_them, "."});
+    } else if (begins_with_one_of(type, {"C3D8"}))
       element.shape = Shape::hexahedron;
     else if (begins_with_one_of(type, {"C3D6"}))
       element.shape = Shape::wedge;
@@ -221,11 +227,19 @@ class AbaqusReader {
     while (file_.data(line)) {
       element.number = file_.tag(taken(line, ','), "the number of an element");
       element.line = file_.line();
-      for (std::size_t i = 0; i < corner_count(element.shape); ++i) {
+      const std::size_t corners = corner_count(element.shape);
+      const auto next = [&](std::size_t i, const char* meaning, std::size_t count) {
         if (trimmed(line).empty() && !file_.data(line))
-          file_.refuse({"element ", std::to_string(element.number), " of type ", type, " has ", std::to_string(i),
-                        " corners of ", std::to_string(corner_count(element.shape)), ": give them all."});
-        element.corners[i] = file_.tag(taken(line, ','), "a corner");
+          file_.refuse({"element ", std::to_string(element.number), " of type ", type, " has ", std::to_string(i), " ",
+                        meaning, "s of ", std::to_string(count), ": give them all."});
+        return file_.tag(taken(line, ','), joined({"a ", meaning}));
+      };
+      for (std::size_t i = 0; i < corners; ++i) element.corners[i] = next(i, "corner", corners);
+      if (element.second != SecondOrderKind::none) {
+        std::array<FileNumber, 19> mids;
+        const std::span<const std::uint8_t> order = order_of_mids(element.second);
+        for (std::size_t i = 0; i < order.size(); ++i) mids[order[i]] = next(i, "mid node", order.size());
+        raw.set_mids(element, std::span(mids).first(order.size()));
       }
       if (!trimmed(line).empty())
         file_.refuse({"element ", std::to_string(element.number), " has too many corners for its type ", type,
@@ -233,6 +247,40 @@ class AbaqusReader {
       raw.elements.push_back(element);
       if (set) set->sequences.push_back({element.number, element.number, 1, element.line});
     }
+  }
+  /// The shape of a type of second order.
+  static void second_order_type(std::string_view type, RawMesh::Element& element) {
+    using Kind = SecondOrderKind;
+    struct Type {
+      std::string_view beginning;
+      Shape shape;
+      Kind kind;
+    };
+    constexpr std::array<Type, 11> types{{{"C3D10", Shape::tetrahedron, Kind::tetrahedron10},
+                                          {"C3D13", Shape::pyramid, Kind::pyramid13},
+                                          {"C3D15V", Shape::wedge, Kind::wedge18},
+                                          {"C3D15", Shape::wedge, Kind::wedge15},
+                                          {"C3D20", Shape::hexahedron, Kind::hexahedron20},
+                                          {"C3D27", Shape::hexahedron, Kind::hexahedron27},
+                                          {"S8", Shape::quadrilateral, Kind::quadrilateral8},
+                                          {"S9", Shape::quadrilateral, Kind::quadrilateral9},
+                                          {"STRI65", Shape::triangle, Kind::triangle6},
+                                          {"CPS6", Shape::triangle, Kind::triangle6},
+                                          {"CPS8", Shape::quadrilateral, Kind::quadrilateral8}}};
+    for (const auto& [beginning, shape, kind] : types)
+      if (type.starts_with(beginning)) {
+        element.shape = shape, element.second = kind;
+        return;
+      }
+  }
+  /// Of each mid node in the order of Abaqus, its place in that of `mid_nodes`: the centre of a hexahedron stands
+  /// before the middles of its faces (Abaqus Analysis User's Guide, "Three-dimensional solid element library").
+  static std::span<const std::uint8_t> order_of_mids(SecondOrderKind kind) {
+    static constexpr std::array<std::uint8_t, 19> as_they_are{0,  1,  2,  3,  4,  5,  6,  7,  8, 9,
+                                                              10, 11, 12, 13, 14, 15, 16, 17, 18};
+    static constexpr std::array<std::uint8_t, 19> of_27{0,  1,  2,  3,  4,  5,  6,  7,  8, 9,
+                                                        10, 11, 18, 12, 13, 14, 15, 16, 17};
+    return std::span(kind == SecondOrderKind::hexahedron27 ? of_27 : as_they_are).first(mid_nodes(kind).size());
   }
   /// Elements of a type that is not read; gmsh writes trusses for lines of the geometry.
   void ignore(const std::string& type) {
@@ -248,7 +296,7 @@ class AbaqusReader {
       model_->raw.ignored_elements.push_back(file_.tag(taken(line, ','), "the number of an element"));
       ignored_.add(joined({"Elements of type ", type.substr(0, 40)}), file_.line());
     }
-    const bool is_line_of_gmsh = file_.is_of_gmsh() && type == "T3D2";
+    const bool is_line_of_gmsh = file_.is_of_gmsh() && (type == "T3D2" || type == "T3D3");
     if (count > 0 && !is_line_of_gmsh) model_->left_out.push_back({type.substr(0, 40), count, at});
     if (const std::string* const name = file_.find("ELSET");
         name && !model_->element_sets.contains(abaqus::label(*name)))
@@ -412,7 +460,7 @@ class AbaqusReader {
     const FileNumber scope = instance_->scope;
     const bool turns = !instance_->turn.isIdentity(0);
     RawMesh& to = all_.raw;
-    std::size_t count = from.nodes.size() + from.elements.size() + from.ignored_elements.size();
+    std::size_t count = from.nodes.size() + from.elements.size() + from.ignored_elements.size() + from.mid_nodes.size();
     for (const auto* sets : {&from.node_sets, &from.element_sets})
       for (const RawMesh::Set& set : *sets)
         count += 4 + set.sequences.size() + set.others.size() + (name.size() + set.name.size()) / 16;
@@ -439,6 +487,7 @@ class AbaqusReader {
     for (RawMesh::Element element : from.elements) {
       element.number += scope;
       for (FileNumber& corner : element.corners) corner += scope;
+      if (element.second != SecondOrderKind::none) to.set_mids(element, from.mids_of(element), scope);
       element.group = static_cast<std::uint32_t>(to.groups.size() - 1);
       to.elements.push_back(element);
     }
@@ -483,12 +532,12 @@ class AbaqusReader {
 /// and their kinds (C3D8R, ...) are read, and gmsh's CPS4 and CPS3, which are plates unless they lie on solids;
 /// keywords that are not read are skipped with a warning. `name` is the file in messages. Included files are read below
 /// the folder of the deck. Errors: a file that is not there, or elsewhere; keywords that change the mesh and are not
-/// read (`*NMAP`, ...); elements of other types, unless `leave_out_elements`; solids or shells of higher order; text in
-/// the place of a number; a number given twice; a node, set, part or instance that is not there.
+/// read (`*NMAP`, ...); elements of other types, unless `leave_out_elements`; solids or shells of second order,
+/// unless `second_order` cuts them; text in the place of a number; a number given twice; a node, set, part or instance
+/// that is not there.
 inline AbaqusDeck read_abaqus(std::string_view text, const std::string& name, const ReadOptions& options = {}) {
-  return detail::within_memory(name, [&] {
-    return detail::AbaqusReader(detail::Source(text, name, options), options.leave_out_elements).read();
-  });
+  return detail::within_memory(
+      name, [&] { return detail::AbaqusReader(detail::Source(text, name, options), options).read(); });
 }
 inline AbaqusDeck read_abaqus(const std::string& path, ReadOptions options = {}) {
   if (options.folder.empty()) options.folder = detail::folder_of(path);

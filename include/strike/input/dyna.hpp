@@ -108,12 +108,14 @@ inline void pass_keyword(File& file) {
 /// The mesh and the cards of an LS-DYNA keyword file (.k, .key, .dyn) in the standard, long or I10 format, of fixed
 /// columns or with commas. docs/read_a_mesh.md lists the keywords that are read; others, and values without a
 /// counterpart here, are skipped with a warning. `name` is the file in messages. Included files are read below the
-/// folder of the deck. Errors: a file that is not there, or elsewhere; elements of higher order; text in the place of a
-/// number; a number given twice; a node, set or part that is not there; a material without a density or a modulus.
+/// folder of the deck. Errors: a file that is not there, or elsewhere; elements of second order, unless the options cut
+/// them; text in the place of a number; a number given twice; a node, set or part that is not there; a material without
+/// a density or a modulus.
 inline DynaDeck read_dyna(std::string_view text, const std::string& name, const ReadOptions& options = {}) {
   return detail::within_memory(name, [&] {
     detail::dyna::File file(detail::Source(text, name, options));
     detail::dyna::Draft draft;
+    draft.raw.second_order = options.second_order;
     while (file.next_keyword()) {
       if (const auto* const keyword = detail::dyna::find_keyword(file.base())) {
         detail::dyna::expect_invariant(*keyword, file);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -24,7 +25,7 @@ namespace detail {
 /// MSH 2, 4.0 and 4.1 (Gmsh reference manual, "MSH file format" and "Legacy formats").
 class GmshReader {
  public:
-  explicit GmshReader(Source source) : source_(std::move(source)) {}
+  GmshReader(Source source, SecondOrder second_order) : source_(std::move(source)) { raw_.second_order = second_order; }
 
   Deck read() {
     std::string_view line;
@@ -330,35 +331,89 @@ class GmshReader {
 
   /// An element whose corners come next; `physical` is 0 if it has none of its own.
   void element(FileNumber number, FileNumber type, FileNumber entity, FileNumber physical) {
+    using Second = SecondOrderKind;
     struct Kind {
       FileNumber type, dimension;
-      std::size_t corners;
+      Shape shape = Shape::hexahedron;
+      Second second = Second::none;
+      std::size_t nodes = 1;  ///< of points and lines
     };
-    constexpr std::array<Kind, 8> kinds{
-        {{15, 0, 1}, {1, 1, 2}, {2, 2, 3}, {3, 2, 4}, {4, 3, 4}, {5, 3, 8}, {6, 3, 6}, {7, 3, 5}}};
+    constexpr std::array<Kind, 19> kinds{{{15, 0},
+                                          {1, 1, {}, {}, 2},
+                                          {2, 2, Shape::triangle},
+                                          {3, 2, Shape::quadrilateral},
+                                          {4, 3, Shape::tetrahedron},
+                                          {5, 3, Shape::hexahedron},
+                                          {6, 3, Shape::wedge},
+                                          {7, 3, Shape::pyramid},
+                                          {8, 1, {}, {}, 3},
+                                          {9, 2, Shape::triangle, Second::triangle6},
+                                          {10, 2, Shape::quadrilateral, Second::quadrilateral9},
+                                          {11, 3, Shape::tetrahedron, Second::tetrahedron10},
+                                          {12, 3, Shape::hexahedron, Second::hexahedron27},
+                                          {13, 3, Shape::wedge, Second::wedge18},
+                                          {14, 3, Shape::pyramid, Second::pyramid14},
+                                          {16, 2, Shape::quadrilateral, Second::quadrilateral8},
+                                          {17, 3, Shape::hexahedron, Second::hexahedron20},
+                                          {18, 3, Shape::wedge, Second::wedge15},
+                                          {19, 3, Shape::pyramid, Second::pyramid13}}};
     const auto* const kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.type == type; });
     if (kind == kinds.end())
       source_.refuse({"element ", std::to_string(number), " is of type ", std::to_string(type),
                       ", which is not read: mesh in order 1 with hexahedra, tetrahedra, quadrilaterals or triangles."});
-    RawMesh::Element element{number, {}, 0, source_.line(), Shape::hexahedron};
-    for (std::size_t i = 0; i < kind->corners; ++i) element.corners[i] = tag("a corner");
+    if (raw_.second_order == SecondOrder::refused && (kind->second != Second::none || type == 8))
+      source_.refuse({"element ", std::to_string(number), " is of type ", std::to_string(type),
+                      ", of second order: ", cut_them, "."});
+    RawMesh::Element element{number, {}, 0, source_.line(), kind->shape};
+    const std::size_t corners = kind->dimension < 2 ? kind->nodes : corner_count(kind->shape);
+    for (std::size_t i = 0; i < corners; ++i) element.corners[i] = tag("a corner");
+    std::array<FileNumber, 19> mids;
+    const std::span<const std::uint8_t> order = order_of_mids(kind->second);
+    for (const std::uint8_t place : order) mids[place] = tag("a mid node");
     Group& group = group_of(kind->dimension, entity, physical);
-    if (kind->dimension < 3)
-      for (std::size_t i = 0; i < kind->corners; ++i)
-        group.nodes.sequences.push_back({element.corners[i], element.corners[i], 1, element.line});
+    const auto name = [&](FileNumber node) { group.nodes.sequences.push_back({node, node, 1, element.line}); };
+    if (kind->dimension < 3) {
+      std::for_each_n(element.corners.begin(), corners, name);
+      std::for_each_n(mids.begin(), order.size(), name);
+    }
     if (kind->dimension < 2) {
       ignored_.add(kind->dimension == 0 ? "Points" : "Lines", element.line);
       return;
     }
     element.group = group.number;
     element.marks_solids = kind->dimension == 2;
-    element.shape = type == 2   ? Shape::triangle
-                    : type == 3 ? Shape::quadrilateral
-                    : type == 4 ? Shape::tetrahedron
-                    : type == 6 ? Shape::wedge
-                    : type == 7 ? Shape::pyramid
-                                : Shape::hexahedron;
+    element.second = kind->second;
+    if (!order.empty()) raw_.set_mids(element, std::span(mids).first(order.size()));
     raw_.elements.push_back(element);
+  }
+  /// Of each mid node in gmsh's order, its place in that of `mid_nodes` (Gmsh reference manual, "Node ordering").
+  static std::span<const std::uint8_t> order_of_mids(SecondOrderKind kind) {
+    using Kind = SecondOrderKind;
+    static constexpr std::array<std::uint8_t, 5> face{0, 1, 2, 3, 4};
+    static constexpr std::array<std::uint8_t, 6> tetrahedron{0, 1, 2, 3, 5, 4};
+    static constexpr std::array<std::uint8_t, 19> hexahedron{0, 3, 8,  1,  9,  2,  10, 11, 4, 7,
+                                                             5, 6, 12, 14, 17, 15, 16, 13, 18};
+    static constexpr std::array<std::uint8_t, 12> wedge{0, 2, 6, 1, 7, 8, 3, 5, 4, 9, 11, 10};
+    static constexpr std::array<std::uint8_t, 9> pyramid{0, 3, 4, 1, 5, 2, 6, 7, 8};
+    const std::size_t count = mid_nodes(kind).size();
+    switch (kind) {
+      case Kind::none:
+        return {};
+      case Kind::triangle6:
+      case Kind::quadrilateral8:
+      case Kind::quadrilateral9:
+        return std::span(face).first(count);
+      case Kind::tetrahedron10:
+        return tetrahedron;
+      case Kind::hexahedron20:
+      case Kind::hexahedron27:
+        return std::span(hexahedron).first(count);
+      case Kind::wedge15:
+      case Kind::wedge18:
+        return std::span(wedge).first(count);
+      default:
+        return std::span(pyramid).first(count);
+    }
   }
 
   struct Group {
@@ -472,11 +527,15 @@ class GmshReader {
 /// The mesh of a gmsh file (.msh) of version 2, 2.1, 2.2, 4.0 or 4.1 in ASCII, or 2 and 4.1 in binary of either byte
 /// order. Physical groups of volumes and surfaces are parts, of a partitioned mesh too; groups of surfaces, lines and
 /// points are also sets of nodes. Surface elements on solids, lines and points are only sets of nodes. `name` is the
-/// file in messages, whose lines are those between the bytes too. Errors: another version; elements of higher order;
-/// text in the place of a number; a number given twice; a node that is not there; an incomplete file.
-inline Deck read_gmsh(std::string_view text, const std::string& name) {
-  return detail::within_memory(name, [&] { return detail::GmshReader(detail::Source::binary(text, name)).read(); });
+/// file in messages, whose lines are those between the bytes too. Of the options `second_order` alone has a meaning
+/// here. Errors: another version; elements of second order, unless the options cut them; those of higher order; text in
+/// the place of a number; a number given twice; a node that is not there; an incomplete file.
+inline Deck read_gmsh(std::string_view text, const std::string& name, const ReadOptions& options = {}) {
+  return detail::within_memory(
+      name, [&] { return detail::GmshReader(detail::Source::binary(text, name), options.second_order).read(); });
 }
-inline Deck read_gmsh(const std::string& path) { return read_gmsh(detail::content_of_file(path, true), path); }
+inline Deck read_gmsh(const std::string& path, const ReadOptions& options = {}) {
+  return read_gmsh(detail::content_of_file(path, true), path, options);
+}
 
 }  // namespace strike

@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <span>
 #include <string>
 #include <tuple>
@@ -14,7 +16,9 @@
 #include <strike/input/deck.hpp>
 #include <strike/input/source.hpp>
 #include <strike/mesh/degenerate.hpp>
+#include <strike/mesh/measure.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/mesh/second_order.hpp>
 
 namespace strike::detail {
 
@@ -121,6 +125,8 @@ struct RawMesh {
     std::uint32_t group, line;  ///< group: place in `groups`
     Shape shape;
     bool marks_solids = false;  ///< a surface cell: not a plate if it lies on solids
+    SecondOrderKind second = SecondOrderKind::none;
+    std::uint32_t mids = 0;  ///< of a cell of second order: the place of the first in `mid_nodes`
   };
   /// The numbers first, first + step, ... up to last.
   struct Sequence {
@@ -143,7 +149,48 @@ struct RawMesh {
   std::vector<Set> node_sets = {}, element_sets = {};
   std::vector<FileNumber> ignored_elements = {};  ///< of kinds that are no cells; sets may hold them
   bool repeats_nodes = false;                     ///< a node may be there again, at the same place
+  std::vector<FileNumber> mid_nodes = {};         ///< in the order of `mid_nodes(kind)`; 0 for one that is not given
+  SecondOrder second_order = SecondOrder::refused;
+
+  std::span<const FileNumber> mids_of(const Element& element) const {
+    return std::span(mid_nodes).subspan(element.mids, strike::detail::mid_nodes(element.second).size());
+  }
+  /// Gives an element mid nodes that are numbered `shift` higher than those.
+  void set_mids(Element& element, std::span<const FileNumber> mids, FileNumber shift = 0) {
+    const std::vector<FileNumber> copy(mids.begin(), mids.end());
+    element.mids = static_cast<std::uint32_t>(mid_nodes.size());
+    for (const FileNumber mid : copy) mid_nodes.push_back(mid == 0 ? 0 : mid + shift);
+  }
 };
+
+/// What a sentence on cells of second order advises.
+inline constexpr const char* cut_them =
+    "cut them with {.second_order = SecondOrder::in_pieces} or SecondOrder::to_corners, or mesh in first order";
+
+/// A kind of cells of second order in warnings: "tetrahedra of 10 nodes".
+inline std::string name_of(SecondOrderKind kind) {
+  using Kind = SecondOrderKind;
+  const auto corners = [&]() -> std::pair<const char*, std::size_t> {
+    switch (kind) {
+      case Kind::triangle6:
+        return {"triangles", 3};
+      case Kind::quadrilateral8:
+      case Kind::quadrilateral9:
+        return {"quadrilaterals", 4};
+      case Kind::tetrahedron10:
+        return {"tetrahedra", 4};
+      case Kind::hexahedron20:
+      case Kind::hexahedron27:
+        return {"hexahedra", 8};
+      case Kind::wedge15:
+      case Kind::wedge18:
+        return {"wedges", 6};
+      default:
+        return {"pyramids", 5};
+    }
+  }();
+  return joined({corners.first, " of ", std::to_string(corners.second + mid_nodes(kind).size()), " nodes"});
+}
 
 constexpr std::size_t corner_count(RawMesh::Shape shape) {
   using Shape = RawMesh::Shape;
@@ -172,12 +219,66 @@ inline bool folds_to_tetrahedron(std::array<Index, 8>& c) {
   return true;
 }
 
+/// Faces of cells that were cut in pieces, by their corners.
+class CutFaces {
+ public:
+  void add(SecondOrderKind kind, std::span<const Index> corners, std::span<const Index> mids) {
+    const auto parents = mid_nodes(kind);
+    for (std::size_t m = 0; m < parents.size(); ++m) {
+      if (parents[m].count > 4) continue;
+      std::array<Index, 4> key;
+      key.fill(nothing);
+      for (std::size_t i = 0; i < parents[m].count; ++i) key[i] = corners[parents[m].corners[i]];
+      std::sort(key.begin(), key.end());
+      mids_.emplace_back(key, mids[m]);
+    }
+    is_sorted_ = false;
+  }
+  /// Adds a segment, a b c c if it is a triangle, or its pieces if it is a face that was cut.
+  void add_segment(const std::array<Index, 4>& s, std::vector<std::array<Index, 4>>& to) {
+    if (!is_sorted_) std::sort(mids_.begin(), mids_.end()), is_sorted_ = true;
+    if (s[2] == s[3]) {
+      const std::array<Index, 6> n{s[0], s[1], s[2], mid({s[0], s[1]}), mid({s[1], s[2]}), mid({s[2], s[0]})};
+      if (std::find(n.begin(), n.end(), nothing) != n.end()) return to.push_back(s);
+      for (const auto& [a, b, c] : pieces_of_triangle) to.push_back({n[a], n[b], n[c], n[c]});
+      return;
+    }
+    const std::array<Index, 9> n{s[0],
+                                 s[1],
+                                 s[2],
+                                 s[3],
+                                 mid({s[0], s[1]}),
+                                 mid({s[1], s[2]}),
+                                 mid({s[2], s[3]}),
+                                 mid({s[3], s[0]}),
+                                 mid({s[0], s[1], s[2], s[3]})};
+    if (std::find(n.begin(), n.end(), nothing) != n.end()) return to.push_back(s);
+    for (const auto& [a, b, c, d] : pieces_of_quadrilateral) to.push_back({n[a], n[b], n[c], n[d]});
+  }
+
+ private:
+  Index mid(std::initializer_list<Index> corners) const {
+    std::array<Index, 4> key;
+    key.fill(nothing);
+    std::copy(corners.begin(), corners.end(), key.begin());
+    std::sort(key.begin(), key.end());
+    const auto found = std::lower_bound(mids_.begin(), mids_.end(), std::pair(key, Index(0)));
+    return found != mids_.end() && found->first == key ? found->second : nothing;
+  }
+
+  std::vector<std::pair<std::array<Index, 4>, Index>> mids_ = {};
+  bool is_sorted_ = true;
+};
+
 /// The deck, and where in it the nodes of the file are.
 struct Finished {
   Deck deck = {};
   Allowance allowance;
   Numbering file_nodes = {};
-  std::vector<Index> place = {};  ///< of each node of the file; `nothing` if it was dropped
+  std::vector<Index> place = {};   ///< of each node of the file; `nothing` if it was dropped
+  std::vector<char> is_lost = {};  ///< mid nodes that were dropped, by their place in the file; empty without any
+  std::map<std::pair<FileNumber, std::string>, std::size_t> lost_of_sets = {};  ///< mid nodes that sets have lost
+  CutFaces cut_faces = {};
 
   /// The node of that number, or `nothing` if it was dropped. Error: it is not in the file.
   Index node(FileNumber number, const Source& source, std::uint32_t line) const {
@@ -186,6 +287,20 @@ struct Finished {
       source.refuse(line, {"node ", std::to_string(number % RawMesh::scope),
                            " is not in the file: define it or take it off this line."});
     return place[i];
+  }
+  /// Error: a force on a mid node that was dropped.
+  void expect_force(FileNumber number, const Source& source, std::uint32_t line) const {
+    const Index i = is_lost.empty() ? nothing : file_nodes.find(number);
+    if (i != nothing && is_lost[i])
+      source.refuse(line, {"a force on node ", std::to_string(number % RawMesh::scope),
+                           " would be lost, a mid node that was dropped: put it on corners."});
+  }
+  /// Error: forces on a set that has lost mid nodes.
+  void expect_forces(FileNumber number, const std::string& name, const Source& source, std::uint32_t line) const {
+    if (const auto lost = lost_of_sets.find({number, name}); lost != lost_of_sets.end())
+      source.refuse(line, {"forces on ", std::to_string(lost->second), " nodes of the set ",
+                           name.empty() ? std::to_string(number) : shown(name),
+                           " would be lost, mid nodes that were dropped: put them on corners."});
   }
 };
 
@@ -206,17 +321,17 @@ inline std::vector<RawMesh::Sequence> merged(std::vector<RawMesh::Sequence> rang
   return result;
 }
 
-/// The sets by places in the mesh. Error: a number in a set that is neither in the mesh nor ignored.
-inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numbering& numbering,
-                                      const Numbering& ignored, std::span<const Index> place, const char* thing,
-                                      const Source& source, Allowance& allowance) {
+/// The sets by places in the mesh; `add_places(i, members)` adds those of the thing at place i in the file. Error: a
+/// number in a set that is neither in the mesh nor ignored.
+template <class AddPlaces>
+std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numbering& numbering, const Numbering& ignored,
+                               const AddPlaces& add_places, const char* thing, const Source& source,
+                               Allowance& allowance) {
   std::vector<NamedSet> all;
   for (RawMesh::Set& set : sets) {
     std::vector<Index> members;
     std::vector<RawMesh::Sequence> ranges;
-    const auto add = [&](Index i) {
-      if (place[i] != nothing) members.push_back(place[i]);
-    };
+    const auto add = [&](Index i) { add_places(i, members); };
     for (const RawMesh::Sequence& numbers : set.sequences)
       if (numbers.first != numbers.last)
         ranges.push_back(numbers);
@@ -238,6 +353,169 @@ inline std::vector<NamedSet> resolved(std::vector<RawMesh::Set> sets, const Numb
   std::erase_if(all, [&](const NamedSet&) { return !sets[next++].is_listed; });
   return all;
 }
+
+/// A cell by places of nodes in the file.
+struct FiledCell {
+  std::array<Index, 8> corners;
+  Index element;  ///< its place in the file
+  RawMesh::Shape shape;
+  bool is_mark = false;
+};
+
+/// Cells of second order become cells of first order.
+class SecondOrderCutter {
+ public:
+  SecondOrderCutter(const RawMesh& raw, const Numbering& nodes, const Source& source)
+      : raw_(raw), nodes_(nodes), source_(source) {
+    const bool any = std::any_of(raw.elements.begin(), raw.elements.end(),
+                                 [](const auto& element) { return element.second != SecondOrderKind::none; });
+    if (any) is_mid_.assign(raw.nodes.size(), 0);
+  }
+
+  /// Appends the pieces of an element, and tells whether it has some; without them its corners are left to the caller.
+  bool cut(Index place, const std::array<Index, 8>& corners, std::vector<FiledCell>& cells, CutFaces& faces) {
+    const RawMesh::Element& element = raw_.elements[place];
+    const std::size_t count = corner_count(element.shape);
+    std::vector<Index>& n = all_;
+    n.assign(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(count));
+    for (const FileNumber number : raw_.mids_of(element)) {
+      n.push_back(number == 0 ? nothing : nodes_.find(number));
+      if (number != 0 && n.back() == nothing)
+        refuse(element, {"names node ", std::to_string(number % RawMesh::scope),
+                         ", which is not in the file: define it or correct the element."});
+      if (number != 0) is_mid_[n.back()] = 1;
+    }
+    const bool cuts = raw_.second_order == SecondOrder::in_pieces && has_pieces(element.second);
+    ++counts_[{element.second, cuts}];
+    if (!cuts) {
+      by_corners_.push_back(place);
+      return false;
+    }
+    std::vector<Index> sorted = n;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted.back() == nothing || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+      refuse(element, {"repeats a node or lacks one, and cannot be cut in pieces: take cells by their corners with "
+                       "{.second_order = SecondOrder::to_corners}, or correct it."});
+    expect_order(element, n);
+    faces.add(element.second, std::span(n).first(count), std::span(n).subspan(count));
+    const auto add = [&]<std::size_t N>(const std::array<std::uint8_t, N>& piece) {
+      FiledCell cell{{}, place, element.shape};
+      std::array<Index, N> chosen;
+      for (std::size_t i = 0; i < N; ++i) chosen[i] = n[piece[i]];
+      if constexpr (N == 6)
+        cell.corners = wedge_cell<Index>(chosen), cell.shape = RawMesh::Shape::hexahedron;
+      else
+        std::copy(chosen.begin(), chosen.end(), cell.corners.begin());
+      cells.push_back(cell);
+    };
+    const std::size_t first = cells.size();
+    const auto add_all = [&](const auto& pieces) {
+      for (const auto& piece : pieces) add(piece);
+    };
+    switch (element.second) {
+      case SecondOrderKind::triangle6:
+        add_all(pieces_of_triangle);
+        return true;
+      case SecondOrderKind::quadrilateral9:
+        add_all(pieces_of_quadrilateral);
+        return true;
+      case SecondOrderKind::tetrahedron10:
+        add_all(pieces_of_tetrahedron([&](std::size_t i) -> const Eigen::Vector3d& { return x(n[i]); }));
+        break;
+      case SecondOrderKind::hexahedron27:
+        add_all(pieces_of_hexahedron());
+        break;
+      default:
+        add_all(pieces_of_wedge);
+    }
+    expect_volumes(element, std::span(cells).subspan(first), corners);
+    return true;
+  }
+
+  /// Error: a mid node of an element that is taken by its corners is a corner of another cell, where it would hang.
+  void expect_no_hanging(const std::vector<FiledCell>& cells, std::span<const char> used) const {
+    if (by_corners_.empty()) return;
+    std::vector<char> is_mark(raw_.elements.size(), 0);
+    for (const FiledCell& cell : cells)
+      if (cell.is_mark) is_mark[cell.element] = 1;
+    for (const Index place : by_corners_)
+      if (!is_mark[place])
+        for (const FileNumber number : raw_.mids_of(raw_.elements[place]))
+          if (number != 0 && used[nodes_.find(number)])
+            refuse(raw_.elements[place],
+                   {"is taken by its corners, and its mid node ", std::to_string(number % RawMesh::scope),
+                    " is a corner of other cells, where it would hang: ",
+                    raw_.second_order == SecondOrder::in_pieces
+                        ? "take all cells by their corners with {.second_order = SecondOrder::to_corners}, or mesh in "
+                          "first order."
+                        : "mesh in one order."});
+  }
+  bool is_mid(std::size_t node) const { return !is_mid_.empty() && is_mid_[node]; }
+  void tell(std::vector<std::string>& warnings, std::size_t lost) const {
+    if (counts_.empty()) return;
+    std::string kinds;
+    for (const auto& [kind, count] : counts_)
+      kinds += joined({kinds.empty() ? "" : ", ", name_of(kind.first), " (", std::to_string(count),
+                       kind.second ? ") in pieces" : ") to their corners"});
+    warnings.push_back(joined({"Cells of second order were cut to first: ", kinds, "; mid nodes that no cell uses (",
+                               std::to_string(lost), ") were dropped."}));
+  }
+
+ private:
+  const Eigen::Vector3d& x(Index node) const { return raw_.nodes[node].x; }
+  [[noreturn, gnu::cold]] void refuse(const RawMesh::Element& element,
+                                      std::initializer_list<std::string_view> what) const {
+    source_.refuse(element.line,
+                   {"element ", std::to_string(element.number % RawMesh::scope), " ", std::string_view(joined(what))});
+  }
+  /// Error: a mid node stands exactly where another one should.
+  void expect_order(const RawMesh::Element& element, const std::vector<Index>& n) const {
+    const auto mids = mid_nodes(element.second);
+    const std::size_t count = n.size() - mids.size();
+    double size = 0;
+    for (std::size_t i = 1; i < count; ++i) size = std::max(size, (x(n[i]) - x(n[0])).norm());
+    std::array<Eigen::Vector3d, 19> middles;
+    for (std::size_t m = 0; m < mids.size(); ++m) {
+      middles[m].setZero();
+      for (std::size_t i = 0; i < mids[m].count; ++i) middles[m] += x(n[mids[m].corners[i]]);
+      middles[m] /= static_cast<double>(mids[m].count);
+    }
+    for (std::size_t m = 0; m < mids.size(); ++m) {
+      const auto distance = [&](std::size_t other) { return (x(n[count + m]) - middles[other]).norm(); };
+      if (distance(m) <= 1e-3 * size) continue;
+      for (std::size_t other = 0; other < mids.size(); ++other)
+        if (distance(other) <= 1e-6 * size)
+          refuse(element, {"has its mid node ", std::to_string(raw_.nodes[n[count + m]].number % RawMesh::scope),
+                           " in the place of another one: order its mid nodes as the format has them."});
+    }
+  }
+  /// Error: a piece is flat or inside out although the corners of its element are not.
+  void expect_volumes(const RawMesh::Element& element, std::span<const FiledCell> pieces,
+                      const std::array<Index, 8>& corners) const {
+    const auto volume = [&](RawMesh::Shape shape, const std::array<Index, 8>& c) {
+      std::array<Eigen::Vector3d, 8> at;
+      const std::size_t count = shape == RawMesh::Shape::tetrahedron ? 4 : 8;
+      for (std::size_t i = 0; i < count; ++i) at[i] = x(c[i]);
+      return count == 4 ? tetrahedron_volume(at, {0, 1, 2, 3}) : hexahedron_volume(at, {0, 1, 2, 3, 4, 5, 6, 7});
+    };
+    const bool is_wedge = element.shape == RawMesh::Shape::wedge;
+    const std::array<Index, 8> whole =
+        is_wedge ? wedge_cell<Index>({corners[0], corners[1], corners[2], corners[3], corners[4], corners[5]})
+                 : corners;
+    if (!(volume(is_wedge ? RawMesh::Shape::hexahedron : element.shape, whole) > 0)) return;
+    for (const FiledCell& piece : pieces)
+      if (!(volume(piece.shape, piece.corners) > 0))
+        refuse(element, {"has a piece that is flat or inside out, as its mid nodes lie too far from its edges: move "
+                         "them, or take cells by their corners with {.second_order = SecondOrder::to_corners}."});
+  }
+
+  const RawMesh& raw_;
+  const Numbering& nodes_;
+  const Source& source_;
+  std::vector<char> is_mid_ = {};
+  std::vector<Index> all_ = {}, by_corners_ = {};
+  std::map<std::pair<SecondOrderKind, bool>, std::size_t> counts_ = {};
+};
 
 /// Errors: a number twice; an element or set with a number that is not there; an element that is neither hexahedron,
 /// tetrahedron, quadrilateral nor triangle.
@@ -270,15 +548,12 @@ inline Finished finished(RawMesh raw, const Source& source) {
   }
 
   // The elements by places of nodes in the file, and their shapes.
-  struct Cell {
-    std::array<Index, 8> corners;
-    Shape shape;
-    bool is_mark = false;
-  };
-  std::vector<Cell> cells;
+  std::vector<FiledCell> cells;
   cells.reserve(raw.elements.size());
-  for (const RawMesh::Element& element : raw.elements) {
-    Cell cell{{}, element.shape};
+  SecondOrderCutter cutter(raw, result.file_nodes, source);
+  for (Index place = 0; place < raw.elements.size(); ++place) {
+    const RawMesh::Element& element = raw.elements[place];
+    FiledCell cell{{}, place, element.shape};
     const std::size_t count = corner_count(element.shape);
     const auto refuse = [&](const std::string& what) {
       source.refuse(element.line, {"element ", std::to_string(element.number % RawMesh::scope), " ", what});
@@ -289,6 +564,7 @@ inline Finished finished(RawMesh raw, const Source& source) {
         refuse(joined({"names node ", std::to_string(element.corners[i] % RawMesh::scope),
                        ", which is not in the file: define it or correct the element."}));
     }
+    if (element.second != SecondOrderKind::none && cutter.cut(place, cell.corners, cells, result.cut_faces)) continue;
     std::array<Index, 8> sorted = cell.corners;
     const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count);
     std::sort(sorted.begin(), end);
@@ -317,47 +593,63 @@ inline Finished finished(RawMesh raw, const Source& source) {
 
   std::vector<char> used(raw.nodes.size(), 0);
   const auto mark_used = [&](bool solids) {
-    for (const Cell& cell : cells)
+    for (const FiledCell& cell : cells)
       if ((corner_count(cell.shape) == 8 || cell.shape == Shape::tetrahedron) == solids && !cell.is_mark)
         for (std::size_t i = 0; i < corner_count(cell.shape); ++i) used[cell.corners[i]] = 1;
   };
   mark_used(true);
   std::size_t marks = 0;
-  for (std::size_t e = 0; e < cells.size(); ++e) {
-    const auto first = cells[e].corners.begin();
-    const auto corners = static_cast<std::ptrdiff_t>(corner_count(cells[e].shape));
-    cells[e].is_mark =
-        raw.elements[e].marks_solids && std::all_of(first, first + corners, [&](Index n) { return used[n] != 0; });
-    marks += cells[e].is_mark;
+  for (std::size_t e = 0, last = 0; e < cells.size(); e = last) {  // all pieces of an element, or none, are marks
+    while (last < cells.size() && cells[last].element == cells[e].element) ++last;
+    const auto lies_on_solids = [&](const FiledCell& cell) {
+      const auto first = cell.corners.begin();
+      return std::all_of(first, first + static_cast<std::ptrdiff_t>(corner_count(cell.shape)),
+                         [&](Index n) { return used[n] != 0; });
+    };
+    const auto pieces = std::span(cells).subspan(e, last - e);
+    if (!raw.elements[cells[e].element].marks_solids || !std::all_of(pieces.begin(), pieces.end(), lies_on_solids))
+      continue;
+    for (FiledCell& piece : pieces) piece.is_mark = true;
+    ++marks;
   }
   mark_used(false);
+  cutter.expect_no_hanging(cells, used);
 
   // Nodes that a cell uses, in the order of the file.
   result.place.assign(raw.nodes.size(), nothing);
   FileNumber orphan = 0;
-  std::size_t orphans = 0;
+  std::size_t orphans = 0, lost = 0;
   for (std::size_t n = 0; n < raw.nodes.size(); ++n)
     if (used[n]) {
       result.place[n] = static_cast<Index>(deck.mesh.nodes.size());
       deck.mesh.nodes.push_back(raw.nodes[n].x);
       deck.node_numbers.push_back(raw.nodes[n].number % RawMesh::scope);
+    } else if (cutter.is_mid(n)) {
+      if (lost++ == 0) result.is_lost.assign(raw.nodes.size(), 0);
+      result.is_lost[n] = 1;
     } else if (orphans++ == 0) {
       orphan = raw.nodes[n].number % RawMesh::scope;
     }
 
   deck.parts = std::move(raw.parts);
-  std::vector<Index> cell_place(cells.size(), nothing);
+  struct Pieces {
+    Index first = nothing, count = 0;
+  };
+  std::vector<Pieces> cell_places(raw.elements.size());
   const auto add = [&]<std::size_t N>(Cells<N>& list, Shape shape) {
     for (std::size_t e = 0; e < cells.size(); ++e) {
       if (cells[e].shape != shape || cells[e].is_mark) continue;
       std::array<Index, N> corners;
       for (std::size_t i = 0; i < N; ++i) corners[i] = result.place[cells[e].corners[i]];
       list.push_back(corners);
-      cell_place[e] = static_cast<Index>(deck.cell_numbers.size());
-      deck.cell_numbers.push_back(raw.elements[e].number % RawMesh::scope);
-      const auto& parts = raw.groups[raw.elements[e].group];
-      if (parts.size() > 1) result.allowance.take(parts.size(), raw.elements[e].line);
-      for (const std::uint32_t part : parts) deck.parts[part].members.push_back(cell_place[e]);
+      const auto place = static_cast<Index>(deck.cell_numbers.size());
+      const RawMesh::Element& element = raw.elements[cells[e].element];
+      Pieces& pieces = cell_places[cells[e].element];
+      if (pieces.count++ == 0) pieces.first = place;
+      deck.cell_numbers.push_back(element.number % RawMesh::scope);
+      const auto& parts = raw.groups[element.group];
+      if (parts.size() > 1) result.allowance.take(parts.size(), element.line);
+      for (const std::uint32_t part : parts) deck.parts[part].members.push_back(place);
     }
   };
   add(deck.mesh.hexahedra, Shape::hexahedron);
@@ -374,10 +666,27 @@ inline Finished finished(RawMesh raw, const Source& source) {
                                          source.place_beside(twin.line, raw.elements[e].line),
                                          " already: give each element a number of its own."});
   }
+  const auto kept = static_cast<Index>(deck.mesh.nodes.size());
+  const auto add_node = [&](Index n, std::vector<Index>& members) {
+    if (result.place[n] != nothing)
+      members.push_back(result.place[n]);
+    else if (cutter.is_mid(n))
+      members.push_back(kept + n);  // until it is counted as lost
+  };
   deck.node_sets =
-      resolved(std::move(raw.node_sets), result.file_nodes, {}, result.place, "node", source, result.allowance);
+      resolved(std::move(raw.node_sets), result.file_nodes, {}, add_node, "node", source, result.allowance);
+  for (NamedSet& set : deck.node_sets) {
+    const auto first = std::lower_bound(set.members.begin(), set.members.end(), kept);
+    if (first == set.members.end()) continue;
+    result.lost_of_sets[{set.number, set.name}] += static_cast<std::size_t>(set.members.end() - first);
+    set.members.erase(first, set.members.end());
+  }
+  const auto add_cells = [&](Index e, std::vector<Index>& members) {
+    for (Index i = 0; i < cell_places[e].count; ++i) members.push_back(cell_places[e].first + i);
+  };
   deck.cell_sets = resolved(std::move(raw.element_sets), file_elements, Numbering(std::move(raw.ignored_elements)),
-                            cell_place, "element", source, result.allowance);
+                            add_cells, "element", source, result.allowance);
+  cutter.tell(deck.warnings, lost);
   if (marks > 0)
     deck.warnings.push_back(
         joined({"Surface elements on solids (", std::to_string(marks), ") mark faces, and are no plates."}));

@@ -14,7 +14,7 @@ namespace strike {
 /// ending; those of the reader.
 inline Deck read_mesh(const std::string& path, const ReadOptions& options = {}) {
   const std::string ending = detail::upper(std::string_view(path).substr(std::min(path.rfind('.'), path.size())));
-  if (ending == ".MSH") return read_gmsh(path);
+  if (ending == ".MSH") return read_gmsh(path, options);
   if (ending == ".INP") {
     AbaqusDeck deck = read_abaqus(path, options);
     return std::move(static_cast<Deck&>(deck));

@@ -28,11 +28,16 @@ namespace strike {
 /// Number of a node, an element, a part or a set in its file, from 1.
 using FileNumber = std::int64_t;
 
+/// Treatment of cells of second order, with nodes between their corners: an error, only their corners, or pieces at
+/// their mid nodes.
+enum class SecondOrder { refused, to_corners, in_pieces };
+
 /// Options of the readers of decks.
 struct ReadOptions {
   std::string folder = {};          ///< of included files; that of the deck, or none for a text in memory, if empty
   bool anywhere = false;            ///< included files may stand outside of that folder
   bool leave_out_elements = false;  ///< of kinds that are not read, with a warning; an error otherwise
+  SecondOrder second_order = SecondOrder::refused;  ///< cells of second order, which are cut to first with a warning
 };
 
 namespace detail {

@@ -307,6 +307,11 @@ class Generator {
       element.corners[i] += shift;
       expect_in_bounds(element.corners[i], "a node");
     }
+    if (element.second != SecondOrderKind::none) {
+      allowance_.take(mid_nodes(element.second).size(), file_.line());
+      for (const FileNumber mid : model_.raw.mids_of(element)) expect_in_bounds(mid + shift, "a node");
+      model_.raw.set_mids(element, model_.raw.mids_of(element), shift);
+    }
     model_.raw.elements.push_back(element);
   }
   void expect_in_bounds(FileNumber number, std::string_view thing) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,25 @@ inline constexpr std::array<std::array<std::size_t, 4>, 6> faces_of_hexahedron{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 inline constexpr std::array<std::array<std::size_t, 4>, 4> faces_of_tetrahedron{
     {{0, 2, 1, 1}, {0, 1, 3, 3}, {1, 2, 3, 3}, {2, 0, 3, 3}}};
+inline constexpr std::array<std::array<std::size_t, 4>, 5> faces_of_wedge{
+    {{0, 2, 1, 1}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
+inline constexpr std::array<std::array<std::size_t, 4>, 5> faces_of_pyramid{
+    {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}}};
+/// The faces of a solid; none of a plate.
+constexpr std::span<const std::array<std::size_t, 4>> faces_of(RawMesh::Shape shape) {
+  switch (shape) {
+    case RawMesh::Shape::hexahedron:
+      return faces_of_hexahedron;
+    case RawMesh::Shape::tetrahedron:
+      return faces_of_tetrahedron;
+    case RawMesh::Shape::wedge:
+      return faces_of_wedge;
+    case RawMesh::Shape::pyramid:
+      return faces_of_pyramid;
+    default:
+      return {};
+  }
+}
 
 /// *BOUNDARY, *CLOAD or *INITIAL CONDITIONS of nodes.
 struct NodeLine {
@@ -176,7 +196,8 @@ class LoadCards {
       for (const Segment& segment : from) {
         std::array<Index, 4> corners;
         for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.node(segment[i], file_.source(), line);
-        if (std::find(corners.begin(), corners.end(), nothing) == corners.end()) result.push_back(corners);
+        if (std::find(corners.begin(), corners.end(), nothing) == corners.end())
+          mesh.cut_faces.add_segment(corners, result);
       }
       return result;
     };
@@ -193,8 +214,13 @@ class LoadCards {
       deck.supports.push_back({nodes(where), {held[0], held[1], held[2]}, {held[3], held[4], held[5]}});
     for (const auto& [where, direction, kind, value, amplitude] : motions_)
       deck.motions.push_back({nodes(where), axis(direction), direction > 2, kind, value, amplitude});
-    for (const auto& [where, direction, value, amplitude] : forces_)
+    for (const auto& [where, direction, value, amplitude] : forces_) {
+      if (const auto set = sets.find(squeezed(where.nodes)); set != sets.end())
+        mesh.expect_forces(0, set->second->name, file_.source(), where.line);
+      else if (const auto number = number_of(where.nodes))
+        mesh.expect_force(*number, file_.source(), where.line);
       deck.forces.push_back({nodes(where), value * axis(direction), amplitude});
+    }
     add_velocities(deck, nodes);
     for (std::size_t i = 0; i < pressures_.size(); ++i)
       deck.pressures.push_back({segments(faces_[i], pressures_[i].line), pressures_[i].value, pressures_[i].amplitude});
@@ -324,7 +350,7 @@ class LoadCards {
         allowance.take(1, line);
         continue;
       }
-      const std::size_t count = element.shape == RawMesh::Shape::hexahedron ? 6 : 4;
+      const std::size_t count = faces_of(element.shape).size();
       if (is_plate_face || (!face.empty() && place >= count))
         file_.refuse(line, {"element ", std::to_string(number % RawMesh::scope), " has no face ", face,
                             ": give one of S1 to S", std::to_string(count), "."});
@@ -336,8 +362,7 @@ class LoadCards {
     }
   }
   static Segment face_of(const RawMesh::Element& element, std::size_t face) {
-    const auto& corners =
-        element.shape == RawMesh::Shape::hexahedron ? faces_of_hexahedron[face] : faces_of_tetrahedron[face];
+    const auto& corners = faces_of(element.shape)[face];
     Segment segment;
     for (std::size_t i = 0; i < 4; ++i) segment[i] = element.corners[corners[i]];
     return segment;
@@ -351,9 +376,7 @@ class LoadCards {
     if (!has_faces_) {
       has_faces_ = true;
       for (const RawMesh::Element& solid : all.raw.elements) {
-        const std::size_t count = solid.shape == RawMesh::Shape::hexahedron    ? 6
-                                  : solid.shape == RawMesh::Shape::tetrahedron ? 4
-                                                                               : 0;
+        const std::size_t count = faces_of(solid.shape).size();
         allowance.take(count, line);
         for (std::size_t f = 0; f < count; ++f) all_faces_.push_back(key(face_of(solid, f)));
       }

@@ -187,6 +187,9 @@ inline void resolve_names(Model& model, const File& file, Allowance& allowance) 
       allowance.take(corner_count(element.shape), wanted.line);
       for (std::size_t i = 0; i < corner_count(element.shape); ++i)
         model.raw.node_sets[set].sequences.push_back({element.corners[i], element.corners[i], 1, wanted.line});
+      allowance.take(mid_nodes(element.second).size(), wanted.line);
+      for (const FileNumber mid : model.raw.mids_of(element))
+        model.raw.node_sets[set].sequences.push_back({mid, mid, 1, wanted.line});
     }
   }
   model.nodes_of_elements.clear();

@@ -107,7 +107,8 @@ inline void segment_pressures(File& file, Draft& draft) {
     CardHistory history = pressure_history(card, file);
     PendingPressure& pressure = pressure_of(std::move(history), places, file, draft);
     pressure.segments.push_back(segment_of(card, file));
-    if (card.tag("N5", Id::node) != 0) file.refuse({"a segment has more than four corners: mesh in first order."});
+    if (card.tag("N5", Id::node) != 0 && draft.raw.second_order == SecondOrder::refused)
+      file.refuse({"a segment has more than four corners: ", cut_them, "."});
   });
 }
 template <Named named>

@@ -93,7 +93,7 @@ class Lookup {
       std::array<Index, 4> segment;
       for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh_.node(corners[i], file_.source(), line);
       if (std::find(segment.begin(), segment.end(), nothing) == segment.end())
-        all.push_back(segment);
+        mesh_.cut_faces.add_segment(segment, all);
       else
         file.ignore_on_line(line, "A segment on nodes without an element");
     }
@@ -137,7 +137,20 @@ class Lookup {
     const Index place = (solid ? solids_ : shells_)->find(choice.number);
     if (place == nothing)
       refuse_missing(file_, choice, solid ? "solid" : "shell", solid ? "*ELEMENT_SOLID" : "*ELEMENT_SHELL");
-    return {static_cast<Index>(solid ? place : static_cast<std::size_t>(plates) + place)};
+    const std::size_t first = solid ? place : static_cast<std::size_t>(plates) + place,
+                      end = solid ? static_cast<std::size_t>(plates) : deck_.cell_numbers.size();
+    std::vector<Index> pieces;  // of a cell of second order, otherwise itself
+    for (std::size_t cell = first; cell < end && deck_.cell_numbers[cell] == choice.number; ++cell)
+      pieces.push_back(static_cast<Index>(cell));
+    return pieces;
+  }
+  /// Error: forces on mid nodes that were dropped.
+  void expect_forces(std::span<const Choice> choices) const {
+    for (const Choice& choice : choices)
+      if (choice.named == Named::node)
+        mesh_.expect_force(choice.number, file_.source(), choice.line);
+      else if (const auto set = node_sets_.find(choice.number); choice.named == Named::set && set != node_sets_.end())
+        mesh_.expect_forces(choice.number, set->second->name, file_.source(), choice.line);
   }
   /// A curve.
   const CurveCard& curve(const Choice& choice) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,11 +42,19 @@ inline void solids(File& file, Draft& draft, int further_cards) {
     element.group = draft.part(card.tag("PID", Id::part, 8));
     if (card.is_blank()) card = file.card();  // the corners have a line of their own
     for (FileNumber& corner : element.corners) corner = card.tag("a corner", Id::node, 8);
-    for (std::size_t i = 4; i < 8; ++i)
+    for (std::size_t i = 4; i < 8; ++i)  // blank ones repeat those before them
       if (element.corners[i] == 0) element.corners[i] = element.corners[i - 1];
-    if (card.tag("a corner", Id::node, 8) != 0)
-      file.refuse({"element ", std::to_string(element.number),
-                   " is a tetrahedron of ten nodes: mesh in first order, with four."});
+    const FileNumber ninth = card.tag("a mid node", Id::node, 8), tenth = card.tag("a mid node", Id::node, 8);
+    if (ninth != 0) {
+      if (draft.raw.second_order == SecondOrder::refused)
+        file.refuse({"element ", std::to_string(element.number), " is a tetrahedron of ten nodes: ", cut_them, "."});
+      if (tenth == 0)
+        file.refuse({"element ", std::to_string(element.number), " has nine nodes of ten: give it the last one."});
+      const auto& c = element.corners;
+      const std::array mids{c[4], c[5], c[6], c[7], ninth, tenth};
+      element.shape = RawMesh::Shape::tetrahedron, element.second = SecondOrderKind::tetrahedron10;
+      draft.raw.set_mids(element, mids);
+    }
     draft.raw.elements.push_back(element);
     for (int left = further_cards; left > 0; --left) file.ignore(file.card().says_more(), "The axes of each solid");
   });
@@ -53,6 +62,36 @@ inline void solids(File& file, Draft& draft, int further_cards) {
 inline void all_solids(File& file, Draft& draft) { solids(file, draft, 0); }
 /// Solids with the axes of their material, which have no counterpart.
 inline void oriented_solids(File& file, Draft& draft) { solids(file, draft, 2); }
+
+/// Solids of second order, ten nodes on a line. Their corners alone are read.
+template <SecondOrderKind kind>
+void solids_of_second_order(File& file, Draft& draft) {
+  file.for_each_card([&](Card card) {
+    RawMesh::Element element{card.own_tag("the number of an element", "solid", Id::element, 8),
+                             {},
+                             0,
+                             file.line(),
+                             RawMesh::Shape::hexahedron,
+                             false,
+                             kind};
+    element.group = draft.part(card.tag("PID", Id::part, 8));
+    if (draft.raw.second_order == SecondOrder::refused)
+      file.refuse({"element ", std::to_string(element.number), " is of second order: ", cut_them, "."});
+    if (kind == SecondOrderKind::hexahedron27 && draft.raw.second_order == SecondOrder::in_pieces)
+      file.refuse({file.name(),
+                   " cannot be cut in pieces, as the order of its mid nodes is not read: take cells by "
+                   "their corners with {.second_order = SecondOrder::to_corners}."});
+    std::array<FileNumber, 27> nodes;
+    constexpr std::size_t count = 8 + mid_nodes(kind).size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % 10 == 0) card = file.card();
+      nodes[i] = card.tag("a node", Id::node, 8);
+    }
+    std::copy_n(nodes.begin(), 8, element.corners.begin());
+    draft.raw.set_mids(element, std::span(nodes).subspan(8, count - 8));
+    draft.raw.elements.push_back(element);
+  });
+}
 
 /// The options of a keyword, from a list of those that may stand in it; false if it has others.
 template <std::size_t N>
@@ -80,8 +119,17 @@ inline void plates(File& file, Draft& draft) {
     element.group = draft.part(card.tag("PID", Id::part, 8));
     for (std::size_t i = 0; i < 4; ++i) element.corners[i] = card.tag("a corner", Id::node, 8);
     if (element.corners[3] == 0) element.corners[3] = element.corners[2];
-    if (card.tag("a corner", Id::node, 8) != 0)
-      file.refuse({"element ", std::to_string(number), " is a shell of more than four nodes: mesh in first order."});
+    std::array<FileNumber, 4> mids;
+    for (FileNumber& mid : mids) mid = card.tag("a mid node", Id::node, 8);
+    if (mids != std::array<FileNumber, 4>{}) {
+      if (draft.raw.second_order == SecondOrder::refused)
+        file.refuse({"element ", std::to_string(number), " is a shell of more than four nodes: ", cut_them, "."});
+      if (element.corners[2] != element.corners[3] && std::find(mids.begin(), mids.end(), 0) != mids.end())
+        file.refuse({"element ", std::to_string(number),
+                     " is a shell of six nodes whose corners are not clear: repeat the third as the fourth."});
+      element.second = SecondOrderKind::quadrilateral8;
+      draft.raw.set_mids(element, mids);
+    }
     draft.raw.elements.push_back(element);
     ShellCard values{};
     if (thickness || beta || system) {
@@ -183,6 +231,8 @@ inline constexpr auto mesh_keywords = std::to_array<Keyword>({
     {"*NODE", nodes, Invariant::everywhere},
     {"*ELEMENT_SOLID", all_solids, Invariant::everywhere},
     {"*ELEMENT_SOLID_ORTHO", oriented_solids, Invariant::none},
+    {"*ELEMENT_SOLID_H20", solids_of_second_order<SecondOrderKind::hexahedron20>, Invariant::everywhere},
+    {"*ELEMENT_SOLID_H27", solids_of_second_order<SecondOrderKind::hexahedron27>, Invariant::everywhere},
     {"*ELEMENT_SHELL", plates, Invariant::everywhere},
     {"*PART", parts, Invariant::everywhere},
     {"*PART_COMPOSITE", composite},

@@ -126,17 +126,21 @@ inline std::vector<ShellCard> resolved_shells(const Draft& draft, const Deck& de
   std::sort(all.begin(), all.end(), [](const ShellCard& a, const ShellCard& b) { return a.cell < b.cell; });
   return all;
 }
-inline std::vector<SegmentSet> resolved_segments(Draft& draft, const Finished& mesh, const File& file,
+inline std::vector<SegmentSet> resolved_segments(Draft& draft, Finished& mesh, const File& file,
                                                  std::vector<std::string>& warnings) {
   std::vector<SegmentSet> all;
   for (PendingSegments& set : draft.segment_sets) {
     SegmentSet named{set.number, std::move(set.name), {}};
+    std::size_t lost = 0;
     for (const auto& [corners, line] : set.segments) {
       std::array<Index, 4> segment;
       for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh.node(corners[i], file.source(), line);
-      if (std::find(segment.begin(), segment.end(), nothing) == segment.end()) named.segments.push_back(segment);
+      if (std::find(segment.begin(), segment.end(), nothing) == segment.end())
+        mesh.cut_faces.add_segment(segment, named.segments);
+      else
+        ++lost;
     }
-    if (const std::size_t lost = set.segments.size() - named.segments.size(); lost > 0)
+    if (lost > 0)
       warnings.push_back(joined({"Segments (", std::to_string(lost), ") of set ", std::to_string(set.number),
                                  " lie on nodes without an element and were dropped."}));
     all.push_back(std::move(named));

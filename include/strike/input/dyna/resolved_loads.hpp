@@ -95,6 +95,7 @@ inline void resolve_loads(Draft& draft, const Lookup& lookup, DynaDeck& deck, Fi
   for (auto& [card, choices, system, line] : draft.nodal_loads) {
     follow_curve(card.history, line, lookup, deck, file);
     if (system != 0) card.direction = (lookup.axes({Named::all, system, line}) * card.direction).eval();
+    lookup.expect_forces(choices);
     card.nodes = lookup.nodes(choices);
     deck.nodal_loads.push_back(std::move(card));
   }
