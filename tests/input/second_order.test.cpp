@@ -25,8 +25,8 @@ using Kind = detail::SecondOrderKind;
 
 namespace {
 
-constexpr ReadOptions in_pieces{.second_order = SecondOrder::in_pieces};
-constexpr ReadOptions to_corners{.second_order = SecondOrder::to_corners};
+const ReadOptions in_pieces{.second_order = SecondOrder::in_pieces};
+const ReadOptions to_corners{.second_order = SecondOrder::to_corners};
 
 /// Cells of one kind by their nodes, corners first and mid nodes in the order of Abaqus's edges, faces, centre.
 struct Quadratic {
@@ -230,7 +230,7 @@ TEST_CASE("second order: forces of a uniform stress in pieces act on the skin al
   const Eigen::Matrix3d stress{{3, 1, -2}, {1, -5, 4}, {-2, 4, 7}};
   std::vector<Eigen::Vector3d> forces(cut.nodes.size(), Eigen::Vector3d::Zero());
   const auto add = [&](const Face& face, double sign) {  // a third of its traction to each corner
-    for (int i = 0; i < 3; ++i) forces[face.nodes[i]] += sign / 3 * stress * area_vector(cut.nodes, face);
+    for (std::size_t i = 0; i < 3; ++i) forces[face.nodes[i]] += sign / 3 * stress * area_vector(cut.nodes, face);
   };
   for (const auto& cell : cut.tetrahedra)
     for (const Face& face : tetrahedron_surface({cell})) add(face, 1);
