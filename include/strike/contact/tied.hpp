@@ -89,11 +89,12 @@ class Tied {
     for (const auto& v : all_.v) fastest = std::max(fastest, v.norm());
     sweeps_ = 0;
     pulled_.assign(ties_.size(), Eigen::Vector3d::Zero());
-    double farthest = 0;
-    for (const auto& x : all_.x) farthest = std::max(farthest, x.norm());
     const bool on_bodies = !all_.bodies().empty();  // whose ties all change each other's velocities
+    double farthest = 0;
+    if (on_bodies)
+      for (const auto& x : all_.x) farthest = std::max(farthest, x.norm());
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * farthest / step.dt,
-                 enough = std::max(1e-12 * fastest, on_bodies ? rounding : 0.0);
+                 enough = std::max(1e-12 * fastest, rounding);
     double left = ties_.empty() ? 0 : std::numeric_limits<double>::infinity();
     for (; left > enough && sweeps_ < (on_bodies ? 5000 : 100); ++sweeps_) {
       left = 0;

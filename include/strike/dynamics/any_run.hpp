@@ -83,7 +83,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
         cycle_(method.cycle),
         kinetic_(chunks(this->nodes_.size())) {}
 
-  /// What is known of the nodes and items at the start.
+  /// The masses, the items and the energies at the start.
   void begin() {
     this->add_bodies();
     check_masses(this->nodes_);

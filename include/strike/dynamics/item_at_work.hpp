@@ -17,9 +17,9 @@
 
 namespace strike::detail {
 
-/// What a run may ask of an item at work, by functions that know its type, of which they are given the address; null:
-/// the item has no such function. A run that asks so knows nothing of its scene: the compiler makes it once for all
-/// scenes, and what is here once for each type of an item. A step calls them, the elements' loops do not.
+/// The functions of an item at work, which know its type and are given its address; null: it has no such function. A
+/// run that asks so knows nothing of its scene: the compiler makes it once for all scenes, and what is here once for
+/// each type of an item. A step calls them, the elements' loops do not.
 template <class Method, class Nodes>
 struct ItemFunctions {
   using Execution = typename Method::Execution;

@@ -69,7 +69,7 @@ class ItemsAtWork {
   ItemsAtWork(const std::vector<Eigen::Vector3d>& positions, std::vector<Index> order)
       : nodes_(positions, std::move(order)) {}
 
-  /// The items, in the order of the scene. What is copied or moved is to be listed anew.
+  /// The items, in the order of the scene. A copy lists its own anew.
   template <class Listed>
   void list(Listed& item, std::size_t place) {
     listed_.push_back({&item, place, &functions_of<Listed, Method, Nodes>});

@@ -53,47 +53,42 @@ class TriedNodes {
   template <class Item>
   [[gnu::cold]] std::string fault_of_condition(Item& item, std::size_t place, const Step& step) {
     std::string found;
-    if constexpr (answers<item::Constrain, Item, Nodes, const Step, Ledger>) {
-      Ledger ledger;
-      on_clear_nodes([&] {
-        item::Constrain::call(item, nodes_, step, ledger);
-        found = first(name<Item>(place), "gives the velocity", &Nodes::v);
-      });
-    }
+    Ledger ledger;
+    on_clear_nodes([&] {
+      item::Constrain::call(item, nodes_, step, ledger);
+      found = first(name<Item>(place), "gives the velocity", &Nodes::v);
+    });
     return found;
   }
   /// A load that gives a force which is not finite.
   template <class Item>
   [[gnu::cold]] std::string fault_of_load(Item& item, std::size_t place, double time) {
     std::string found;
-    if constexpr (is_load<Item>)
-      without_forces([&] {
-        item::ApplyLoads::call(item, nodes_, time);
-        found = first(name<Item>(place), "gives the force", &Nodes::f);
-        if constexpr (Nodes::nodes_turn)
-          if (found.empty()) found = first(name<Item>(place), "gives the moment", &Nodes::moment);
-      });
+    without_forces([&] {
+      item::ApplyLoads::call(item, nodes_, time);
+      found = first(name<Item>(place), "gives the force", &Nodes::f);
+      if constexpr (Nodes::nodes_turn)
+        if (found.empty()) found = first(name<Item>(place), "gives the moment", &Nodes::moment);
+    });
     return found;
   }
   /// A load that tells another power than that of its forces.
   template <class Item>
   [[gnu::cold]] std::string fault_of_power(Item& item, std::size_t place, double time) {
     std::string found;
-    if constexpr (is_load<Item>)
-      without_forces([&] {
-        item::ApplyLoads::call(item, nodes_, time);
-        found = false_power(name<Item>(place), item.power(std::as_const(nodes_)));
-      });
+    without_forces([&] {
+      item::ApplyLoads::call(item, nodes_, time);
+      found = false_power(name<Item>(place), item.power(std::as_const(nodes_)));
+    });
     return found;
   }
   /// A part with an element whose state is NaN.
   template <class Item>
   [[gnu::cold]] std::string fault_of_elements(const Item& item) const {
-    if constexpr (requires { item.describe_nan(nodes_); })
-      if (const std::string element = item.describe_nan(nodes_); !element.empty())
-        return joined({"the state of ", element, " is nan: look at the formulas of its material, ",
-                       class_name<std::decay_t<decltype(item.material())>>(), ", and of its element"});
-    return {};
+    const std::string element = item.describe_nan(nodes_);
+    if (element.empty()) return {};
+    return joined({"the state of ", element, " is nan: look at the formulas of its material, ",
+                   class_name<std::decay_t<decltype(item.material())>>(), ", and of its element"});
   }
   /// The nodes' own numbers.
   [[gnu::cold]] std::string fault() const {
@@ -109,8 +104,6 @@ class TriedNodes {
  private:
   using Field = std::decay_t<decltype(std::declval<Nodes&>().force())>;
   using Value = const typename Nodes::Vector (Nodes::*)(std::size_t) const;
-  template <class Item>
-  static constexpr bool is_load = answers<item::ApplyLoads, Item, Nodes, const double>;
 
   template <class Item>
   [[gnu::cold]] static std::string name(std::size_t place) {

@@ -163,7 +163,7 @@ struct RawMesh {
   }
 };
 
-/// What a sentence on cells of second order advises.
+/// The advice of sentences on cells of second order.
 inline constexpr const char* cut_them =
     "cut them with {.second_order = SecondOrder::in_pieces} or SecondOrder::to_corners, or mesh in first order";
 

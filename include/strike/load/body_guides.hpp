@@ -11,7 +11,7 @@
 
 namespace strike {
 
-// What holds or moves a RigidBody.
+// Guides, which hold or move a RigidBody.
 
 namespace detail {
 

@@ -112,7 +112,7 @@ class RigidMotion {
     return {std::exchange(by_guides_, none), std::exchange(moment_by_guides_, none)};
   }
 
-  /// What the masses of its nodes lack of its own: mass, and mass times the way from the centre, at the start.
+  /// The part of its own mass that those of its nodes lack, and that mass times its way from the centre, at the start.
   void set_beside_nodes(double mass, const Eigen::Vector3d& first_moment) {
     mass_beside_ = mass, first_moment_ = first_moment;
   }
