@@ -542,7 +542,7 @@ TEST_CASE("deck: plates of other elements are told") {
   CHECK(!has(scene_of(three_metals + ended).replaced, "ELFORM"));
 }
 
-TEST_CASE("deck: a blast is that of its card, in its units; kinds of bursts that are not there are told") {
+TEST_CASE("deck: a blast is that of its card, in its units, and kinds of bursts that are not there are told") {
   const auto blast_of = [](const std::string& unit, const std::string& burst, const std::string& segments) {
     return scene_of(three_metals + ended + "*LOAD_BLAST_ENHANCED\n7,2.5,0,0,900,-.5," + unit + "," + burst +
                     "\n,,,,,3.,1\n" + (burst == "3" || burst == "4" ? "\n" : "") + segments);

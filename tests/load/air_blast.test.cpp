@@ -113,7 +113,7 @@ TEST_CASE("air blast: after the positive phase it sucks, at most as a vacuum doe
   CHECK(felt(AirBlast{face, charge}, charge.end).pressure == 0);
 }
 
-TEST_CASE("air blast: the first corner of a face is any; a triangle is one whose last corner is twice there") {
+TEST_CASE("air blast: the first corner of a face is any, and a triangle is one whose last corner is twice there") {
   const Charge charge = at(2, 30 * degree);
   const double time = charge.wave(2).arrival * 1.1;
   const Felt one = felt(AirBlast{face, charge}, time);
@@ -236,7 +236,7 @@ TEST_CASE("air blast: a quarter of a symmetric plate takes a quarter of the impu
   CHECK(4 * work_quarter == Approx(work).epsilon(1e-9));
 }
 
-TEST_CASE("air blast: turned scenes, other units, threads and mixed lanes; a checkpoint, and another charge") {
+TEST_CASE("air blast: turned scenes, other units, threads, mixed lanes, a checkpoint and another charge") {
   const Mesh mesh = rectangle({.size = {2 * half, 2 * half}, .cells = {4, 4}});
   const std::vector<Support> held{clamped(mesh, on_rim)};
   constexpr double end = 1.5e-4;
