@@ -76,8 +76,10 @@ int main(int count, char** arguments) {
 
       const Mesh bricks = cube(3), split = tetrahedralized(cube(2));
       strike(Hex8{}, Elastic{1, 1, nu}, bricks, bricks.hexahedra, below);
+      strike(Hex8{}, testing::metal, bricks, bricks.hexahedra, below);
       strike(Hex8{StiffnessHourglass{0.05}}, testing::metal, bricks, bricks.hexahedra, below);
-      strike(Hex8{PhysicalHourglass{}}, testing::metal, bricks, bricks.hexahedra, below);
+      strike(Hex8Full{}, Elastic{1, 1, nu}, bricks, bricks.hexahedra, below);
+      strike(Hex8Full{}, testing::metal, bricks, bricks.hexahedra, below);
       strike(Tet4{}, Elastic{1, 1, nu}, split, split.tetrahedra, below);
       strike(Tet4{}, testing::metal, split, split.tetrahedra, below);
       strike(Tet4{ElementPressure{}}, testing::metal, split, split.tetrahedra, below);
@@ -90,6 +92,8 @@ int main(int count, char** arguments) {
           Layer{PlaneStress{Elastic{0.5, std::pow(10, -3 * unit(random)), 0.3}}, 0.7 * h, Gauss<3>{}}};
       strike(Plate4{}, plastic, sheet, sheet.quadrilaterals, inclined);
       strike(Plate4{}, stiff_on_soft, sheet, sheet.quadrilaterals, inclined);
+      strike(Plate4{PhysicalHourglass{}}, plastic, sheet, sheet.quadrilaterals, inclined);
+      strike(Plate4{PhysicalHourglass{}}, stiff_on_soft, sheet, sheet.quadrilaterals, inclined);
       strike(Plate4{PlateHourglass{}, RigidOffset{}, ThicknessChange{}}, plastic, sheet, sheet.quadrilaterals,
              inclined);
     }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <strike/element/plate4_resistance.hpp>
 #include <strike/element/tet4_gradient.hpp>
 #include <strike/scalar/dual.hpp>
 #include <strike/verify/single_element.hpp>
@@ -48,6 +49,18 @@ struct Unyielding<M, PlateKinematics> : M {
     stress.shear += T(dt * moduli.transverse_shear) * rate.shear;
     stress.normal_rate = T(0.0);
     return stress;
+  }
+  /// The same with the linear stresses of PhysicalHourglass.
+  template <class T, class Linear>
+  PlateKinematics::Stress<T> stress(typename M::template State<T>& state, Linear& linear,
+                                    const PlateKinematics::Rate<T>& rate, const LinearRate<T>& linear_rate, double dt,
+                                    LinearResultants<T>& resultants) const {
+    M::stress(state, linear, PlateKinematics::Rate<T>{}, LinearRate<T>{}, 0.0, resultants);
+    const auto moduli = strike::detail::linear_moduli<M>(M::moduli(state, rate));
+    const auto &e = linear_rate.membrane, &k = linear_rate.curvature;
+    resultants.force = resultants.force + T(dt) * moduli.force(e, k);
+    resultants.moment = resultants.moment + T(dt) * moduli.moment(e, k);
+    return stress(state, rate, dt);
   }
   template <class T>
   PlateKinematics::Stress<T> stress(const typename M::template State<T>& state, const T& relative_thickness) const {

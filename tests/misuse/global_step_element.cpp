@@ -4,9 +4,8 @@
 using namespace strike;
 
 int main() {
-  const Mesh mesh = box({.size = {1, 1, 1}, .cells = {1, 1, 1}});
-  const Solid steel{LinearEos{.density = 7850, .bulk_modulus = 160e9},
-                    VonMises{.shear_modulus = 80e9, .yield_stress = 4e8}};
-  Explicit run{Scene{mesh.nodes, Part{Hex8Full{}, steel, mesh.hexahedra}}, ExplicitOptions{}, GlobalStep{}};
+  const Mesh cloud = particles(BoxShape{.size = {1, 1, 1}, .cells = {2, 2, 2}});
+  const Elastic steel{7850, 210e9, 0.3};
+  Explicit run{Scene{cloud.nodes, Part{Particle{}, steel, cloud.particles}}, ExplicitOptions{}, GlobalStep{}};
   run.until(1e-3);
 }

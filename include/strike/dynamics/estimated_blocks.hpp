@@ -4,12 +4,15 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include <strike/dynamics/any_part.hpp>
 #include <strike/dynamics/growth_of_rates.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
 #include <strike/dynamics/running_part.hpp>
 #include <strike/element/element.hpp>
+#include <strike/section/linear_stress.hpp>
 #include <strike/tensor/plane.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -43,6 +46,12 @@ struct Watched : M {
     state.watched_strain += T(dt) * rate_of_shape(rate);
     return M::stress(static_cast<typename M::template State<T>&>(state), rate, dt);
   }
+  template <class T, class Linear>
+  auto stress(State<T>& state, Linear& linear, const typename M::Kinematics::template Rate<T>& rate,
+              const LinearRate<T>& linear_rate, double dt, LinearResultants<T>& resultants) const {
+    state.watched_strain += T(dt) * rate_of_shape(rate);
+    return M::stress(static_cast<typename M::template State<T>&>(state), linear, rate, linear_rate, dt, resultants);
+  }
   template <class T>
   auto stress(const State<T>& state) const {
     return M::stress(static_cast<const typename M::template State<T>&>(state));
@@ -68,11 +77,26 @@ struct Bounded : E {
   struct State : E::template State<W, T> {
     FollowedRate<T> followed{};
 
-    T strain() const { return this->material.watched_strain; }
+    /// The largest at a point.
+    T strain() const {
+      T largest = T(0.0);
+      each_watched(*this, [&](const auto& point) { largest = max(largest, point.watched_strain); });
+      return largest;
+    }
     /// Begins to follow it in lanes where `estimated` is 1.
     void follow(const T& estimated) {
       followed.per_estimated = select(estimated > 0.0 && followed.now > 0.0, 1.0 / followed.now, T(0.0));
-      this->material.watched_strain = T(0.0);
+      each_watched(*this, [](auto& point) { point.watched_strain = T(0.0); });
+    }
+
+   private:
+    /// f(state of the material), of an element with several points of each.
+    template <class Self, class F>
+    static void each_watched(Self& state, const F& f) {
+      if constexpr (requires { state.material.watched_strain; })
+        f(state.material);
+      else
+        for (auto& point : state.material) f(point);
     }
   };
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include <strike/element/cell_shape.hpp>
-#include <strike/scalar/pack.hpp>
+#include <strike/scalar/scalar.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {

@@ -4,6 +4,7 @@
 
 #include <strike/element/bulk_viscosity.hpp>
 #include <strike/element/hex8_points.hpp>
+#include <strike/element/hex8_resistance.hpp>
 #include <strike/element/policies.hpp>
 #include <strike/element/solid_point.hpp>
 #include <strike/element/stable_step.hpp>
@@ -144,6 +145,41 @@ struct Hex8Full {
     response.critical_rate = stability.vibration(material, moduli, zeta).critical_rate();
     if constexpr (requires { material.intact(state.material[0]); }) zero_if_failed(intact > 0.0, response);
     return response;
+  }
+
+  template <class T>
+  using Resistance = Hex8FullResistance<T>;
+
+  /// Resistance to a small motion in a step dt from here, with the stiffest of its points everywhere; v are the
+  /// velocities of the nodes.
+  template <class M, class T>
+  Resistance<T> resistance(const State<M, T>& state, const M& material, const Nodal<T, 8>& x, const Nodal<T, 8>& v,
+                           double dt) const {
+    const Hex8Modes<T> m = to_modes<T>(x), u = to_modes<T>(v);
+    const Hex8Gradient<T> g(m);
+    const T J = g.volume * state.inverse_volume, per_volume = 1.0 / g.volume;
+    const T theta = g.gradient_of(u, per_volume).trace();
+    Moduli<T> moduli{T(0.0), T(0.0)};
+    Hex8Laplacian<T> laplacian;
+    T intact = T(0.0);
+    for (std::size_t i = 0; i < points; ++i) {
+      const Hex8Point point(i);
+      const Hex8Map<T> map(point.derivatives(m));
+      const T share = intact_share<T>(material, state.material[i]);
+      const T inverse = select(share > 0.0, 1.0 / map.volume, T(0.0));
+      const SymmetricTensor<T> D = symmetric_part(map.gradient(point.derivatives(u), inverse));
+      const SolidKinematics::Rate<T> rate{D + SymmetricTensor<T>::isotropic((1.0 / 3.0) * (theta - trace(D))), J};
+      moduli = larger(moduli, material.moduli(state.material[i], rate));
+      laplacian.add(point, map, inverse);
+      intact = max(intact, share);
+    }
+    const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
+    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / density_of(material)) * J};
+    const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
+    Resistance<T> resistance =
+        Resistance<T>::in_step(material, moduli, zeta, T(0.125 * density_of(material) / state.inverse_volume), dt);
+    resistance *= intact;
+    return resistance;
   }
 
  private:

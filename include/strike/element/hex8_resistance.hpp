@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include <strike/element/hex8_modes.hpp>
+#include <strike/element/hex8_points.hpp>
 #include <strike/element/hourglass.hpp>
 #include <strike/element/physical_hourglass.hpp>
 #include <strike/element/solid_resistance.hpp>
@@ -49,6 +50,43 @@ struct Hex8Resistance {
       for (std::size_t k = 0; k < 4; ++k) Q[k] = Q[k] + of_stresses[k];
     }
     return nodal_forces(mean.stress(L), Q, m, g, per_volume);
+  }
+};
+
+/// The same of a hexahedron with eight points: against the mean change of volume, and the change of shape at each
+/// point.
+template <class T>
+struct Hex8FullResistance {
+  T mass{};  ///< of each node
+  SolidResistance<T> point{};
+
+  template <class M>
+  static Hex8FullResistance in_step(const M& material, const Moduli<T>& moduli, const T& zeta, const T& mass,
+                                    double dt) {
+    return {mass, SolidResistance<T>::in_step(material, moduli, zeta, dt)};
+  }
+  Hex8FullResistance& operator*=(const T& share) {
+    point *= share;
+    return *this;
+  }
+
+  Nodal<T, 8> operator()(const Nodal<T, 8>& x, const Nodal<T, 8>& p) const {
+    const Hex8Modes<T> m = to_modes<T>(x), u = to_modes<T>(p);
+    const Hex8Gradient<T> g(m);
+    const Vector3<T> zero = Vector3<T>::Zero();
+    Hex8Modes<T> F{zero, zero, zero, zero, zero, zero, zero};
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Hex8Point at(i);
+      const Hex8Map<T> map(at.derivatives(m));
+      const Matrix3<T> L = map.gradient(at.derivatives(u), T(1.0 / map.volume));
+      const SymmetricTensor<T> S = T(2.0 * point.shear) * deviator(symmetric_part(L));
+      at.add_forces<T>(S.matrix().lazyProduct(map.cofactors), F);
+    }
+    const T theta = g.gradient_of(u, T(1.0 / g.volume)).trace();
+    const T P = T(1.0 / 64.0) * (point.lambda + T(2.0 / 3.0) * point.shear) * theta;
+    F.a1 += P * g.a1, F.a2 += P * g.a2, F.a3 += P * g.a3;
+    F.b1 += P * g.b1, F.b2 += P * g.b2, F.b3 += P * g.b3;
+    return to_nodes(F);
   }
 };
 

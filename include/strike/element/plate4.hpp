@@ -207,15 +207,13 @@ struct Plate4 {
 
   template <class T>
   struct ResistanceOf {
-    using type = Plate4Resistance<T, Warping, Warping::drills || !std::is_same_v<Drilling, FreeDrilling>>;
+    using type = Plate4Resistance<T, Warping, Warping::drills || !std::is_same_v<Drilling, FreeDrilling>, physical>;
   };
   template <class T>
   using Resistance = typename ResistanceOf<T>::type;
 
   /// Resistance to a small motion in a step dt from here; v are the velocities and angular velocities of the nodes.
-  /// That of PhysicalHourglass is not known.
   template <class Section, class T>
-    requires(!std::same_as<Hourglass, PhysicalHourglass>)
   Resistance<T> resistance(const State<Section, T>& state, const Section& material, const Nodal<T, 4>& x,
                            const Nodal<T, 8>& v, double dt) const {
     const Plate4Modes<T> m = to_plate_modes<T>(x);
@@ -228,7 +226,9 @@ struct Plate4 {
     resistance.inertia = resistance.mass / per_gyration(material, state.inverse_area);
     resistance.section = material.moduli(state.material, rate);
     static_cast<Warping&>(resistance) = warping;
-    if constexpr (controlled)
+    if constexpr (physical)
+      resistance.linear = detail::linear_moduli<Section>(resistance.section);
+    else if constexpr (controlled)
       resistance.hourglass = hourglass.stiffness(PlateHourglassElement<T, PlateKinematics::Moduli<T>>{
           frame.area, material.thickness() * rate.relative_thickness, trace(frame.gradient_squared()),
           resistance.section});

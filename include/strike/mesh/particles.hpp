@@ -14,6 +14,7 @@
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/count.hpp>
 #include <strike/mesh/cylinder.hpp>
+#include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/disc.hpp>
 #include <strike/mesh/measure.hpp>

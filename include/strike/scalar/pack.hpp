@@ -18,9 +18,9 @@ namespace strike {
 
 namespace detail {
 
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) && !defined(__znver4__) && !defined(__znver3__)
 inline constexpr std::size_t register_bytes = 64;
-#elif defined(__AVX__)
+#elif defined(__AVX__)  // and Zen 4, which older compilers name after Zen 3: it works on 512 bits by halves
 inline constexpr std::size_t register_bytes = 32;
 #else
 inline constexpr std::size_t register_bytes = 16;
