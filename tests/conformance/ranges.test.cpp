@@ -110,6 +110,7 @@ TEST_CASE("conformance: wrong numbers of materials are refused") {
   refuses(Solid{linear, von_mises, FailureStrain{.3}});
   refuses(Fluid{CubicEos{.density = 938, .C1 = 2.06e9}, Newtonian{.viscosity = 1e-3}});
   refuses(Explosive{tnt::products, start, burn});
+  refuses(Explosive{tnt::products, DetonationPoints{{start, start}}, burn});
   refuses(Explosive{tnt::products, DetonationPlane{{.1, .2, .3}, {1, 2, 2}, -1e-3}, burn});
   refuses(PlaneStress{Solid{linear, von_mises, UltimateStress{20e6}}});
   refuses(ZeroNormalStress{Solid{linear, von_mises}});

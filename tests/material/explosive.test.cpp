@@ -19,7 +19,8 @@ constexpr double D = tnt::detonation_velocity, p_CJ = tnt::pressure_CJ, width = 
 }  // namespace
 
 static_assert(SolidMaterial<Explosive<Jwl, DetonationPoint>>);
-static_assert(Ignition<DetonationPoint> && Ignition<DetonationPlane> && !Ignition<Burn> && !Ignition<double>);
+static_assert(Ignition<DetonationPoint> && Ignition<DetonationPlane> && Ignition<DetonationPoints> && !Ignition<Burn> &&
+              !Ignition<double>);
 
 TEST_CASE("explosive: it burns when the front comes by, over the width of the front, and stays burnt") {
   const Explosive tnt{products, DetonationPoint{{1, 2, 3}, 1e-5}, {D, width}};
@@ -40,6 +41,30 @@ TEST_CASE("explosive: it burns when the front comes by, over the width of the fr
 
   const DetonationPlane plane{{1, 0, 0}, {2, 0, 0}};
   CHECK(plane.distance(Vector3<double>{-3, 5, 7}) == 4);
+}
+
+TEST_CASE("explosive: of several starts the front that comes first counts, without any all is lit at 0") {
+  const DetonationPoint near{{1, 0, 0}, 3e-4}, far{{-2, 0, 0}, 1e-4};
+  const auto arrival = [](const DetonationPoints& points, const Vector3<double>& x) {
+    const Explosive tnt{products, points, {D, width}};
+    Explosive<Jwl, DetonationPoints>::State<double> state;
+    tnt.begin(state, x);
+    return -state.time_since_lit;
+  };
+  // The fronts meet where 3e-4 + (1 - x)/D = 1e-4 + (2 + x)/D.
+  const double meet = (2e-4 * D - 1) / 2;
+  REQUIRE((meet > -2 && meet < 1));
+  for (const auto& points : {DetonationPoints{{near, far}}, DetonationPoints{{far, near}}}) {
+    CHECK(points.time == 1e-4);
+    for (const double x : {-2.0, -1.0, 0.0, meet, 0.9, 1.0})
+      CHECK(arrival(points, {x, 0, 0}) ==
+            Approx(x < meet ? 1e-4 + (2 + x) / D : std::min(3e-4 + (1 - x) / D, 1e-4 + (2 + x) / D)).epsilon(1e-14));
+    CHECK(arrival(points, {1, 3, 4}) == Approx(std::min(3e-4 + 5 / D, 1e-4 + std::sqrt(34.0) / D)).epsilon(1e-14));
+  }
+  Explosive<Jwl, DetonationPoint>::State<double> one;
+  Explosive{products, near, {D, width}}.begin(one, Vector3<double>{.3, .4, .5});
+  CHECK(arrival(DetonationPoints{{near}}, {.3, .4, .5}) == Approx(-one.time_since_lit).epsilon(1e-15));
+  CHECK(arrival(DetonationPoints{}, {.3, .4, .5}) == 0);
 }
 
 TEST_CASE("explosive: compression burns it, all at the volume of Chapman and Jouguet") {

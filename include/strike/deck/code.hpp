@@ -12,6 +12,7 @@
 #include <strike/element/plate3.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
+#include <strike/material/explosive.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/range.hpp>
 #include <strike/text.hpp>
@@ -75,6 +76,16 @@ inline std::string code_of(const TabulatedHardening& law) {
   for (std::size_t i = 1; i + 1 < numbers.size(); i += i > 1 ? 3 : 2)
     points += joined({i > 1 ? ", {" : "{", shortest(numbers[i]), ", ", shortest(numbers[i + 1]), "}"});
   return joined({"TabulatedHardening{", shortest(law.shear_modulus), ", {", points, "}}"});
+}
+inline std::string code_of(const DetonationPoints& ignition) {
+  std::string points;
+  for (const DetonationPoint& point : ignition.points())
+    points += joined({points.empty() ? "{" : ", {", code_of(point.place), ", ", shortest(point.time), "}"});
+  return points.empty() ? "DetonationPoints{}" : joined({"DetonationPoints{{", points, "}}"});
+}
+template <class Eos, class Start>
+std::string code_of(const Explosive<Eos, Start>& law) {
+  return joined({"Explosive{", code_of(law.products), ", ", code_of(law.ignition), ", ", code_of(law.burn), "}"});
 }
 /// An element by its first policy, where that is not the usual one, and its bulk viscosity, where its numbers are not.
 template <class First, class Usual>

@@ -48,7 +48,7 @@ class FromDyna {
       if (card.contact) cannot({"The card of *PART_CONTACT of part ", std::to_string(card.number), " is left out."});
     if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
     if (deck.contact_stiffness != 0.1) replaced({"SLSFAC: the springs of contacts are as stiff as the step allows."});
-    if (!deck.detonations.empty()) cannot({"*INITIAL_DETONATION: nothing detonates."});
+    tell_detonations();
     for (std::size_t i = 0; i < deck.velocities.size(); ++i) add_velocity(i);
     for (std::size_t i = 0; i < deck.supports.size(); ++i) add_support(i);
     for (std::size_t i = 0; i < deck.motions.size(); ++i) add_motion(i);
@@ -76,7 +76,8 @@ class FromDyna {
   /// It concerns files that are written, or numbers of another solver.
   static bool is_harmless(std::string_view warning) {
     constexpr std::array<std::string_view, 4> starts{"*DATABASE", "*CONTROL", "Nodes without", "*PARAMETER"};
-    return std::any_of(starts.begin(), starts.end(),
+    return !warning.starts_with("*CONTROL_EXPLOSIVE") &&
+           std::any_of(starts.begin(), starts.end(),
                        [&](std::string_view start) { return warning.starts_with(start); });
   }
 
@@ -166,6 +167,8 @@ class FromDyna {
       return f(m, NoErosion{}), true;
     else if constexpr (std::is_same_v<Card, NullMaterial>)
       return with_eos(part, [&](const auto& eos) { f(Fluid{eos, Newtonian{m.viscosity}}, NoErosion{}); });
+    else if constexpr (std::is_same_v<Card, ExplosiveMaterial>)
+      return with_explosive(part, m, f);
     else if constexpr (requires { Solid{m.eos, m.strength}; })
       return with_strength(part, m.eos, m, f), true;
     else if constexpr (requires { Solid{GruneisenEos{}, m.strength}; })
@@ -218,6 +221,48 @@ class FromDyna {
           return requires(Eos e) { e.pressure_cutoff; };
         },
         eos->eos);
+  }
+
+  // Explosives
+
+  /// f(an explosive that is lit where the deck says). False: its products are not those of *EOS_JWL.
+  template <class F>
+  bool with_explosive(FileNumber part, const ExplosiveMaterial& m, const F& f) {
+    const EosCard* const eos = numbered(deck_.equations_of_state, card_of(part)->eos);
+    if (!eos || !std::holds_alternative<Jwl>(eos->eos)) return false;
+    std::vector<DetonationPoint> points;
+    for (const DetonationCard& card : deck_.detonations)
+      if (card.part == part || card.part == 0) points.push_back(card.start);
+    const double width = 3 * longest_edge(deck_.part(part).hexahedra);
+    const std::string of = joined({"Part ", std::to_string(part)});
+    if (points.empty()) becomes({of, ": no *INITIAL_DETONATION lights it, so that all of it burns from the time 0"});
+    replaced({of, ": the burning front is ", text(width), " wide, three elements, and not one and a half."});
+    f(Explosive{deck_.eos<Jwl>(part), DetonationPoints{points}, m.burn(width)}, NoErosion{});
+    return true;
+  }
+  /// The largest cube root of a volume, 1 if there are no cells.
+  double longest_edge(const Cells<8>& cells) const {
+    double volume = 0;
+    for (const auto& corners : cells) {
+      Nodal<double, 8> x;
+      for (std::size_t i = 0; i < 8; ++i) x.col(static_cast<Eigen::Index>(i)) = deck_.mesh.nodes[corners[i]];
+      volume = std::max(volume, Hex8Gradient<double>(to_modes<double>(x)).volume);
+    }
+    return volume > 0 ? std::cbrt(volume) : 1;
+  }
+  void tell_detonations() {
+    const auto explodes = [&](FileNumber part) {
+      const MaterialCard* const material = material_of(part);
+      return material && std::holds_alternative<ExplosiveMaterial>(material->material);
+    };
+    const bool any = std::any_of(deck_.parts.begin(), deck_.parts.end(),
+                                 [&](const NamedSet& part) { return explodes(part.number); });
+    for (const DetonationCard& card : deck_.detonations)
+      if (card.part == 0 ? !any : !explodes(card.part))
+        cannot(
+            {"*INITIAL_DETONATION at ", code_of(card.start.place), " lights nothing: ",
+             card.part == 0 ? std::string("no part") : joined({"part ", std::to_string(card.part), ", which is not"}),
+             " of *MAT_HIGH_EXPLOSIVE_BURN."});
   }
 
   template <class Law>

@@ -35,8 +35,10 @@
 #include <strike/load/support.hpp>
 #include <strike/material/elastic.hpp>
 #include <strike/material/eos/gruneisen.hpp>
+#include <strike/material/eos/jwl.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/explosive.hpp>
 #include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
 #include <strike/material/failure/johnson_cook_failure.hpp>
@@ -77,7 +79,8 @@ using DeckPart = AnyPart<
     PartOf<Plate4<>, DeckSection<DeckFailingCurve>, Erosion>, PartOf<Plate3<>, DeckSection<Elastic>>,
     PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>,
     PartOf<Plate4<>, DeckLaminate, Erosion>,
-    PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook, JohnsonCookFailure>, Erosion>>;
+    PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook, JohnsonCookFailure>, Erosion>,
+    PartOf<DeckHexahedron, Explosive<Jwl, DetonationPoints>>>;
 
 using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;

@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <concepts>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <strike/material/eos/eos.hpp>
 #include <strike/material/material.hpp>
@@ -14,13 +16,21 @@ namespace strike {
 ///
 /// Requirements
 /// 1. `time`: of the start [time].
-/// 2. `distance(x)`: from where it starts to the place x, not negative [length]; a template over the number.
-/// Models: DetonationPoint, DetonationPlane.
+/// 2. `distance(x)`: from where it starts to the place x, not negative [length]; or `arrival(x, D)`: when the front,
+///    which runs at D, is there [time]. A template over the number.
+/// Models: DetonationPoint, DetonationPlane, DetonationPoints.
 template <class I>
-concept Ignition = requires(const I ignition, const Vector3<double> x) {
-  { ignition.time } -> std::convertible_to<double>;
-  { ignition.distance(x) } -> std::convertible_to<double>;
-};
+concept Ignition =
+    requires(const I ignition) {
+      { ignition.time } -> std::convertible_to<double>;
+    } &&
+    (
+        requires(const I ignition, const Vector3<double> x) {
+          { ignition.distance(x) } -> std::convertible_to<double>;
+        } ||
+        requires(const I ignition, const Vector3<double> x) {
+          { ignition.arrival(x, 1.0) } -> std::convertible_to<double>;
+        });
 
 /// A detonation that starts at a point.
 struct DetonationPoint {
@@ -57,6 +67,39 @@ struct DetonationPlane {
   }
 };
 
+/// Detonations that start at several points: the front that comes first counts. Without points all of the explosive is
+/// lit at the time 0, as by LS-DYNA where a deck has no *INITIAL_DETONATION.
+///   DetonationPoints{{{{0, 0, 0}}, {{0, 0, 0.1}, 2e-6}}}
+class DetonationPoints {
+ public:
+  double time = 0;  ///< of the first start
+
+  DetonationPoints() = default;
+  explicit DetonationPoints(std::vector<DetonationPoint> points) : points_(std::move(points)) {
+    if (!points_.empty()) time = points_.front().time;
+    for (const DetonationPoint& point : points_) time = std::min(time, point.time);
+  }
+
+  void ranges(const auto& number) const {
+    number("time", time, range::finite);
+    for (const DetonationPoint& point : points_) number(point);
+  }
+  const std::vector<DetonationPoint>& points() const { return points_; }
+
+  /// The least t + |x - place|/D of the points.
+  template <class T>
+  T arrival(const Vector3<T>& x, double D) const {
+    if (points_.empty()) return T(0.0);
+    const auto by = [&](const DetonationPoint& point) -> T { return point.time + (1 / D) * point.distance(x); };
+    T first = by(points_.front());
+    for (const DetonationPoint& point : points_) first = min(first, by(point));
+    return first;
+  }
+
+ private:
+  std::vector<DetonationPoint> points_;
+};
+
 /// Programmed burn.
 struct Burn {
   double detonation_velocity;  ///< D [length/time]
@@ -85,7 +128,7 @@ struct Explosive {
                 "B(mu), such as Jwl.");
   static_assert(!sound_products || has_ignition,
                 "strike: the second piece of an Explosive is where its detonation starts: DetonationPoint, "
-                "DetonationPlane, or one of your own with time and distance(x).");
+                "DetonationPlane, DetonationPoints, or one of your own with time and distance(x) or arrival(x, D).");
   static_assert(instantiates(static_cast<detail::EosReport<Eos>*>(nullptr)));
 
   Eos products;
@@ -121,7 +164,10 @@ struct Explosive {
   template <class T>
   void begin(State<T>& state, const Vector3<T>& place) const {
     begin(state);
-    state.time_since_lit -= (1 / burn.detonation_velocity) * ignition.distance(place);
+    if constexpr (requires { ignition.arrival(place, burn.detonation_velocity); })
+      state.time_since_lit = -ignition.arrival(place, burn.detonation_velocity);
+    else
+      state.time_since_lit -= (1 / burn.detonation_velocity) * ignition.distance(place);
   }
 
   template <class T>

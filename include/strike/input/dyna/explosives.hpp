@@ -39,6 +39,7 @@ inline void detonations(File& file, Draft& draft) {
     const FileNumber part = card.tag("PID", Id::part);
     const Eigen::Vector3d place = card.vector("X to Z");
     draft.deck.detonations.push_back({part, {place, card.number("LT")}});
+    file.ignore_rest(card);
   });
 }
 
