@@ -155,6 +155,10 @@ TEST_CASE("deck: contacts are pairs of parts with their friction") {
         "Contact{Everything{.except = {{0, 0}, {0, 2}, {1, 1}, {2, 2}}}, Penalty{}, Coulomb{.coefficient = 0.2}}");
   CHECK_THAT(two.contacts[1].code, ContainsSubstring("{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {2, 2}}"));
   CHECK(has(two.replaced, "friction does not fall with the speed"));
+  CHECK(!has(two.replaced, "springs as stiff as the step allows"));
+  for (const char* const values : {".2,.2,,,20\n\n", ".2,.2\n2\n", ".2,.2\n\n1\n"})  // VDC, SFS, SOFT
+    CHECK(has(scene_of(three_metals + ended + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,,0\n" + values).replaced,
+              "Contact SINGLE_SURFACE: springs as stiff as the step allows, without damping, stand for"));
   CHECK(has(scene_of(three_metals + ended + "*CONTACT_TIED_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n").cannot, "TIED"));
 }
 
@@ -181,6 +185,12 @@ TEST_CASE("deck: a rigid part is a body behind the parts, with those that move w
   CHECK_THAT(merged.contacts.at(0).code, ContainsSubstring("{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {2, 2}}"));
   REQUIRE(merged.bodies.size() == 1);
   CHECK_THAT(merged.bodies[0].code, ContainsSubstring("deck.cells_of({2, 3}), 7.8, 0.1"));
+  CHECK(!has(merged.cannot, "*CONSTRAINED_RIGID_BODIES"));
+  for (const char* const pair : {"2,1", "1,2", "2,7"})  // with a part that is elastic, with a body of nodes
+    CHECK(has(scene_of(materials + ended + "*SET_NODE\n7\n1,2,3\n*CONSTRAINED_NODAL_RIGID_BODY\n7,,7\n" +
+                       "*CONSTRAINED_RIGID_BODIES\n" + pair + "\n")
+                  .cannot,
+              std::string("*CONSTRAINED_RIGID_BODIES of ") + pair[0] + " and " + pair[2] + " is left out"));
 
   const DeckScene driven = scene_of(materials + ended + R"(*DEFINE_CURVE
 9

@@ -44,6 +44,12 @@ class FromDyna {
       if (!has_owner(deck.extra_nodes[i].part))
         cannot({"The extra nodes of part ", std::to_string(deck.extra_nodes[i].part),
                 " are left out: it is no rigid body here."});
+    for (const RigidMergeCard& merge : deck.rigid_merges)
+      if (!rigid(merge.lead) || !rigid(merge.constrained))
+        cannot({"*CONSTRAINED_RIGID_BODIES of ", std::to_string(merge.lead), " and ", std::to_string(merge.constrained),
+                " is left out: both must be parts of *MAT_RIGID here."});
+    if (!deck.history_cells.empty())
+      replaced({"*DATABASE_HISTORY of shells and solids: the history has columns of nodes alone."});
     for (const PartCard& card : deck.part_cards)
       if (card.contact) cannot({"The card of *PART_CONTACT of part ", std::to_string(card.number), " is left out."});
     if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
@@ -805,6 +811,10 @@ class FromDyna {
       if (card.slave.thickness != 0 || card.master.thickness != 0 || card.slave.thickness_scale != 1 ||
           card.master.thickness_scale != 1)
         replaced({"Contact ", card.kind, ": plates are as thick as their sections say."});
+      if (card.damping != 0 || card.soft != 0 || card.slave.stiffness != 1 || card.master.stiffness != 1)
+        replaced({"Contact ", card.kind,
+                  ": springs as stiff as the step allows, without damping, stand for SOFT, SOFSCL, DEPTH, SFS, SFM and "
+                  "VDC."});
       const auto by_parts = [](const ContactSide& side) { return side.nodes.empty() && side.segments.empty(); };
       if (!by_parts(card.slave) || !by_parts(card.master)) {
         cannot({"Contact ", card.kind, " of nodes or segments is left out: give it parts or sets of parts."});

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,22 +29,38 @@
 namespace strike {
 namespace detail::dyna {
 
+/// Keywords that are read, as docs/deck_cards.md groups them.
+struct KeywordGroup {
+  std::string_view title;
+  std::span<const Keyword> keywords;
+  std::span<const Family> families = {};
+};
+inline constexpr auto keyword_groups = std::to_array<KeywordGroup>({
+    {"Parameters", parameter_keywords, parameter_families},
+    {"Mesh", mesh_keywords, mesh_families},
+    {"Sets", set_keywords},
+    {"Transformations", transformation_keywords},
+    {"Materials", material_keywords},
+    {"Sections, and the run's title", section_keywords},
+    {"Supports and initial velocities", load_keywords},
+    {"Loads and motions", force_keywords},
+    {"Blasts", blast_keywords},
+    {"Definitions", definition_keywords},
+    {"Rigid bodies", rigid_keywords, rigid_families},
+    {"Rigid walls", {}, wall_families},
+    {"Contacts", {}, contact_families},
+    {"Control and output", control_keywords, output_families},
+});
+
 /// The reader of a keyword's cards; null if there is none.
 inline const Keyword* find_keyword(std::string_view name) {
-  const Keyword* found = parameter_keyword(name);
-  if (!found) found = keyword_with_options(name);
-  if (!found) found = rigid_body_keyword(name);
-  if (!found) found = wall_keyword(name);
-  if (!found) found = contact_keyword(name);
-  if (!found) found = output_keyword(name);
-  const auto search = [&](const auto& keywords) {
-    for (const Keyword& keyword : keywords)
-      if (keyword.name == name) found = &keyword;
-  };
-  search(mesh_keywords), search(set_keywords), search(transformation_keywords), search(material_keywords);
-  search(section_keywords), search(load_keywords), search(definition_keywords), search(force_keywords);
-  search(rigid_keywords), search(control_keywords), search(blast_keywords);
-  return found;
+  for (const KeywordGroup& group : keyword_groups) {
+    for (const Keyword& keyword : group.keywords)
+      if (keyword.name == name) return &keyword;
+    for (const Family& family : group.families)
+      if (const Keyword* const found = family.find(name)) return found;
+  }
+  return nullptr;
 }
 /// Error: the cards would be others in the units or at the place that *INCLUDE_TRANSFORM gives them.
 inline void expect_invariant(const Keyword& keyword, const File& file) {
@@ -77,7 +94,9 @@ inline constexpr auto refusals = std::to_array<Refusal>({
     {"*DELETE_", "belongs to a restart: write the whole deck as it should be"},
     {"*STRESS_INITIALIZATION", "belongs to a restart: write the whole deck as it should be"},
 });
-/// Elements without mass or stiffness.
+/// Comments, passed in silence.
+inline constexpr std::string_view comment = "*COMMENT";
+/// Elements without mass or stiffness, skipped with a warning.
 inline constexpr auto marks =
     std::to_array<std::string_view>({"*ELEMENT_PLOTEL", "*ELEMENT_SEATBELT_ACCELEROMETER", "*ELEMENT_SEATBELT_SENSOR"});
 /// Lines of an element: one, and one more for each option; 0 if that is not known.
@@ -97,7 +116,7 @@ inline void pass_keyword(File& file) {
   const bool is_mark = std::any_of(marks.begin(), marks.end(), [&](auto mark) { return name.starts_with(mark); });
   if (name.starts_with("*ELEMENT_") && !is_mark)
     file.leave_out_elements(lines_of_element(name));
-  else if (name.starts_with("*COMMENT"))
+  else if (name.starts_with(comment))
     file.pass();
   else
     file.skip();
@@ -106,7 +125,7 @@ inline void pass_keyword(File& file) {
 }  // namespace detail::dyna
 
 /// The mesh and the cards of an LS-DYNA keyword file (.k, .key, .dyn) in the standard, long or I10 format, of fixed
-/// columns or with commas. docs/read_a_mesh.md lists the keywords that are read; others, and values without a
+/// columns or with commas. docs/deck_cards.md lists the keywords that are read; others, and values without a
 /// counterpart here, are skipped with a warning. `name` is the file in messages. Included files are read below the
 /// folder of the deck. Errors: a file that is not there, or elsewhere; elements of second order, unless the options cut
 /// them; text in the place of a number; a number given twice; a node, set or part that is not there; a material without

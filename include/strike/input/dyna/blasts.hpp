@@ -118,11 +118,14 @@ inline void resolve_blasts(Draft& draft, const Lookup& lookup, DynaDeck& deck, F
   }
 }
 
+inline constexpr Meaning of_blasts{"`blasts`: charge, units, burst; `AirBlast{b.faces(), b.charge()}`",
+                                   "`AirBlast`, as [theory](theory.md) has it", "BLAST 3 and 4"};
+inline constexpr Meaning of_blast_faces{"faces of `blasts`", "faces of `AirBlast`", "ALEPID, SFNRB, SCALEP"};
 inline constexpr auto blast_keywords = std::to_array<Keyword>({
-    {"*LOAD_BLAST", blasts, Invariant::none},
-    {"*LOAD_BLAST_ENHANCED", blasts, Invariant::none},
-    {"*LOAD_BLAST_SEGMENT", blast_segments, Invariant::everywhere},
-    {"*LOAD_BLAST_SEGMENT_SET", blast_sets, Invariant::everywhere},
+    {"*LOAD_BLAST", blasts, Invariant::none, &of_blasts},
+    {"*LOAD_BLAST_ENHANCED", blasts, Invariant::none, &of_blasts},
+    {"*LOAD_BLAST_SEGMENT", blast_segments, Invariant::everywhere, &of_blast_faces},
+    {"*LOAD_BLAST_SEGMENT_SET", blast_sets, Invariant::everywhere, &of_blast_faces},
 });
 
 }  // namespace strike::detail::dyna

@@ -92,30 +92,38 @@ inline void contact(File& file, Draft& draft) {
   draft.contacts.push_back({std::move(contact), slave, master, line});
 }
 
+inline constexpr Meaning of_contacts{
+    "`contacts`: kind, parts, segments or nodes of both sides, friction, thickness, scales, SOFT, SOFSCL, DEPTH",
+    "`Contact{Everything{.except = ...}, Penalty{}, Coulomb{FS}}`, one for each friction, between parts",
+    "SBOXID, MBOXID, VC, PENCHK, FSF, VSF, most fields of the optional cards; in a scene: contacts of nodes or "
+    "segments, BT and DT within the run, the fall of friction with the speed, thickness, VDC, SFS, SFM, SOFT, SOFSCL "
+    "and DEPTH"};
+inline constexpr Meaning of_tied_contacts{"`contacts`, `c.is_tied()`", "`Tied{nodes_near(...), surface, ...}`",
+                                          "as other contacts; in a scene: rotations of `_SHELL_EDGE_TO_SURFACE`, ties "
+                                          "of rigid parts, BT and DT within the run"};
+inline constexpr auto contact_kinds = std::to_array<std::string_view>(
+    {"SURFACE_TO_SURFACE", "NODES_TO_SURFACE", "SINGLE_SURFACE", "ONE_WAY_SURFACE_TO_SURFACE",
+     "AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_NODES_TO_SURFACE", "AUTOMATIC_SINGLE_SURFACE",
+     "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "AUTOMATIC_GENERAL", "ERODING_SURFACE_TO_SURFACE",
+     "ERODING_NODES_TO_SURFACE", "ERODING_SINGLE_SURFACE"});
+inline constexpr auto tied_kinds = std::to_array<std::string_view>(
+    {"TIED_NODES_TO_SURFACE", "TIED_NODES_TO_SURFACE_OFFSET", "TIED_NODES_TO_SURFACE_BEAM_OFFSET",
+     "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", "TIED_SURFACE_TO_SURFACE", "TIED_SURFACE_TO_SURFACE_OFFSET",
+     "TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", "TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE",
+     "TIED_SHELL_EDGE_TO_SURFACE_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET",
+     "TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET"});
 /// The reader of *CONTACT_ with those kinds of surfaces that are read; null for other keywords.
 inline const Keyword* contact_keyword(std::string_view name) {
-  static constexpr Keyword found{contact_beginning, contact};
-  constexpr std::array<std::string_view, 5> plain{"SURFACE_TO_SURFACE", "NODES_TO_SURFACE", "SINGLE_SURFACE",
-                                                  "ONE_WAY_SURFACE_TO_SURFACE", "GENERAL"};
-  constexpr std::array<std::string_view, 3> tied{"NODES_TO_SURFACE", "SURFACE_TO_SURFACE", "SHELL_EDGE_TO_SURFACE"};
-  constexpr std::array<std::string_view, 4> offsets{"", "_OFFSET", "_BEAM_OFFSET", "_CONSTRAINED_OFFSET"};
-  const auto begins = [&](std::string_view beginning) {
-    if (!name.starts_with(beginning)) return false;
-    name.remove_prefix(beginning.size());
-    return true;
-  };
-  if (!begins(contact_beginning)) return nullptr;
-  if (begins("TIED_")) {
-    for (const std::string_view kind : tied)
-      if (name.starts_with(kind) &&
-          std::find(offsets.begin(), offsets.end(), name.substr(kind.size())) != offsets.end())
-        return &found;
-    return nullptr;
-  }
-  const bool automatic = begins("AUTOMATIC_"), erodes = !automatic && begins("ERODING_");
-  const std::size_t kinds = automatic ? 5 : erodes ? 3 : 4;
-  const auto last = plain.begin() + kinds;
-  return std::find(plain.begin(), last, name) != last ? &found : nullptr;
+  static constexpr Keyword free{contact_beginning, contact, Invariant::moved, &of_contacts},
+      tied{contact_beginning, contact, Invariant::moved, &of_tied_contacts};
+  if (!name.starts_with(contact_beginning)) return nullptr;
+  name.remove_prefix(contact_beginning.size());
+  const auto is_in = [&](const auto& kinds) { return std::find(kinds.begin(), kinds.end(), name) != kinds.end(); };
+  return is_in(contact_kinds) ? &free : is_in(tied_kinds) ? &tied : nullptr;
 }
+inline constexpr auto contact_families = std::to_array<Family>({
+    {contact_beginning, contact_kinds, {}, contact_keyword},
+    {contact_beginning, tied_kinds, {}, contact_keyword},
+});
 
 }  // namespace strike::detail::dyna

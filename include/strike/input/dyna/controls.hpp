@@ -131,28 +131,53 @@ void history(File& file, Draft& draft) {
   });
 }
 
+inline constexpr Meaning of_termination{"`end_time`", "the end of the run", "ENDCYC, DTMIN, ENDENG, ENDMAS, NOSOL"};
+inline constexpr Meaning of_time_step{"`step_factor`, `mass_scaled_step`", "`.step_factor`",
+                                      "DTINIT, ISDO, TSLIMT, LCTM, ERODE, MS1ST, the second card; in a scene: DT2MS"};
+inline constexpr Meaning of_bulk_viscosity{"`bulk_viscosity`",
+                                           "`BulkViscosity{Q1, Q2}` of solids whose part has no `*HOURGLASS`",
+                                           "TYPE other than 1, BTYPE, TSTYPE"};
+inline constexpr Meaning of_default_hourglass{"`deck.hourglass(part)` of parts without one", "as `*HOURGLASS`",
+                                              "nothing"};
+inline constexpr Meaning of_shell_control{"`shell_control`: WRPANG, ISTUPD, THEORY, BWC, PROJ", "-",
+                                          "ESORT, MITER, all fields of further cards; IRNXX, passed in silence; in a "
+                                          "scene: ISTUPD, and WRPANG, THEORY, BWC and PROJ, passed in silence"};
+inline constexpr Meaning of_contact_control{
+    "`contact_stiffness` (SLSFAC)", "-",
+    "all other fields; ISLCHK, IGNORE, FRCENG, SKIPRWG and OUTSEG, passed in silence; in a scene: SLSFAC"};
+inline constexpr Meaning of_accuracy{"-", "-", "OSU, INN other than 1, PIDOSU, IACC, EXACC"};
+inline constexpr Meaning of_energy_control{"nothing: a run balances all energies", "the same", "nothing"};
+inline constexpr Meaning of_node_histories{"`history_nodes`", "columns of the history: displacements", "nothing"};
+inline constexpr Meaning of_cell_histories{"`history_cells`", "-", "in a scene: all of it"};
+inline constexpr Meaning of_outputs{"`outputs`: the interval of each, `deck.interval(\"D3PLOT\")`",
+                                    "the interval of the film, of `_BINARY_D3PLOT`",
+                                    "LCDT, BEAM, LCUR, NPLTC but of D3PLOT, further fields, the second card; in a "
+                                    "scene: all others, passed in silence"};
 inline constexpr auto control_keywords = std::to_array<Keyword>({
-    {"*CONTROL_TERMINATION", termination},
-    {"*CONTROL_TIMESTEP", time_step},
-    {"*CONTROL_BULK_VISCOSITY", bulk_viscosity},
-    {"*CONTROL_HOURGLASS", default_hourglass},
-    {"*CONTROL_SHELL", shell_control},
-    {"*CONTROL_CONTACT", contact_control},
-    {"*CONTROL_ACCURACY", accuracy},
-    {"*CONTROL_ENERGY", energy_control, Invariant::everywhere},
-    {"*DATABASE_HISTORY_NODE", history<Named::node>, Invariant::everywhere},
-    {"*DATABASE_HISTORY_NODE_SET", history<Named::set>, Invariant::everywhere},
-    {"*DATABASE_HISTORY_SHELL", history<Named::shell>, Invariant::everywhere},
-    {"*DATABASE_HISTORY_SHELL_SET", history<Named::shell_set>, Invariant::everywhere},
-    {"*DATABASE_HISTORY_SOLID", history<Named::solid>, Invariant::everywhere},
-    {"*DATABASE_HISTORY_SOLID_SET", history<Named::solid_set>, Invariant::everywhere},
+    {"*CONTROL_TERMINATION", termination, Invariant::moved, &of_termination},
+    {"*CONTROL_TIMESTEP", time_step, Invariant::moved, &of_time_step},
+    {"*CONTROL_BULK_VISCOSITY", bulk_viscosity, Invariant::moved, &of_bulk_viscosity},
+    {"*CONTROL_HOURGLASS", default_hourglass, Invariant::moved, &of_default_hourglass},
+    {"*CONTROL_SHELL", shell_control, Invariant::moved, &of_shell_control},
+    {"*CONTROL_CONTACT", contact_control, Invariant::moved, &of_contact_control},
+    {"*CONTROL_ACCURACY", accuracy, Invariant::moved, &of_accuracy},
+    {"*CONTROL_ENERGY", energy_control, Invariant::everywhere, &of_energy_control},
+    {"*DATABASE_HISTORY_NODE", history<Named::node>, Invariant::everywhere, &of_node_histories},
+    {"*DATABASE_HISTORY_NODE_SET", history<Named::set>, Invariant::everywhere, &of_node_histories},
+    {"*DATABASE_HISTORY_SHELL", history<Named::shell>, Invariant::everywhere, &of_cell_histories},
+    {"*DATABASE_HISTORY_SHELL_SET", history<Named::shell_set>, Invariant::everywhere, &of_cell_histories},
+    {"*DATABASE_HISTORY_SOLID", history<Named::solid>, Invariant::everywhere, &of_cell_histories},
+    {"*DATABASE_HISTORY_SOLID_SET", history<Named::solid_set>, Invariant::everywhere, &of_cell_histories},
 });
 /// The reader of *DATABASE with an output of an interval; null for other keywords.
 inline const Keyword* output_keyword(std::string_view name) {
-  static constexpr Keyword found{database, output};
+  static constexpr Keyword found{database, output, Invariant::moved, &of_outputs};
   if (!name.starts_with(database)) return nullptr;
   const auto known = std::find(output_names.begin(), output_names.end(), name.substr(database.size()));
   return known == output_names.end() ? nullptr : &found;
 }
+inline constexpr auto output_families = std::to_array<Family>({
+    {database, output_names, {}, output_keyword},
+});
 
 }  // namespace strike::detail::dyna

@@ -162,15 +162,23 @@ inline void place_by_nodes(Draft& draft, const File& file) {
     draft.inertia(pending).centre = position(pending.number, pending.line);
 }
 
+inline constexpr Meaning of_curves{"`deck.curve(number)`, scaled and shifted", "`CardHistory` of loads and motions",
+                                   "DATTYP other than 0 and 1; of loads SIDR 1, before the run"};
+inline constexpr Meaning of_tables{"`deck.table(number)`", "materials", "nothing"};
+inline constexpr Meaning of_systems{"`coordinate_systems`, of points", "axes of other cards", "CIDL"};
+inline constexpr Meaning of_vector_systems{"`coordinate_systems`, of vectors", "axes of other cards", "NID"};
+inline constexpr Meaning of_node_systems{"`coordinate_systems`, of nodes at the start", "axes of other cards",
+                                         "FLAG: the axes do not turn"};
+inline constexpr Meaning of_vectors{"directions (VID) of `motions`", "the same", "nothing"};
 inline constexpr auto definition_keywords = std::to_array<Keyword>({
-    {"*DEFINE_CURVE", curve},
-    {"*DEFINE_TABLE", table},
-    {"*DEFINE_TABLE_2D", table},
-    {"*DEFINE_COORDINATE_SYSTEM", coordinate_system, Invariant::none},
-    {"*DEFINE_COORDINATE_VECTOR", coordinate_vectors, Invariant::none},
-    {"*DEFINE_COORDINATE_NODES", coordinate_nodes, Invariant::everywhere},
-    {"*DEFINE_VECTOR", vectors, Invariant::none},
-    {"*DEFINE_VECTOR_NODES", vectors, Invariant::everywhere},
+    {"*DEFINE_CURVE", curve, Invariant::moved, &of_curves},
+    {"*DEFINE_TABLE", table, Invariant::moved, &of_tables},
+    {"*DEFINE_TABLE_2D", table, Invariant::moved, &of_tables},
+    {"*DEFINE_COORDINATE_SYSTEM", coordinate_system, Invariant::none, &of_systems},
+    {"*DEFINE_COORDINATE_VECTOR", coordinate_vectors, Invariant::none, &of_vector_systems},
+    {"*DEFINE_COORDINATE_NODES", coordinate_nodes, Invariant::everywhere, &of_node_systems},
+    {"*DEFINE_VECTOR", vectors, Invariant::none, &of_vectors},
+    {"*DEFINE_VECTOR_NODES", vectors, Invariant::everywhere, &of_vectors},
 });
 
 }  // namespace strike::detail::dyna

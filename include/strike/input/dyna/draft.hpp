@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -275,6 +276,28 @@ struct Keyword {
   std::string_view name;  ///< without _TITLE and _ID
   void (*read)(File&, Draft&);
   Invariant invariant = Invariant::moved;
+  const Meaning* meaning = nullptr;
+};
+/// The options of a keyword, from a list of those that may stand in it; false if it has others.
+template <std::size_t N>
+bool has_options(std::string_view options, const std::array<std::string_view, N>& known, std::array<bool, N>& has) {
+  has = {};
+  while (!options.empty()) {
+    const auto option = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
+      return options.starts_with(name) && (options.size() == name.size() || options[name.size()] == '_');
+    });
+    if (option == known.end()) return false;
+    has[static_cast<std::size_t>(option - known.begin())] = true;
+    options.remove_prefix(option->size());
+  }
+  return true;
+}
+
+/// Keywords of one beginning: followed by one of the endings, or by any of the options in any order, or none.
+struct Family {
+  std::string_view beginning;
+  std::span<const std::string_view> endings, options;
+  const Keyword* (*find)(std::string_view name);  ///< null for other keywords
 };
 
 }  // namespace strike::detail::dyna

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -11,6 +12,27 @@
 #include <strike/input/source.hpp>
 
 namespace strike::detail::dyna {
+
+/// Row of docs/deck_cards.md: what keywords become in a deck and in the scene of it, and what of them is not honoured.
+struct Meaning {
+  std::string_view deck, scene, lacks;
+};
+/// A keyword that names files or folders, which `File` follows.
+struct IncludeKeyword {
+  std::string_view name;
+  bool names_folders, moves;
+  const Meaning* meaning;
+};
+inline constexpr Meaning of_include{"cards of other files, which end at their `*END`", "the same", "nothing"};
+inline constexpr Meaning of_moved_include{
+    "the same, with offsets of their numbers and nodes moved by TRANID or FCTLEN", "the same",
+    "FCTTEM, FCTLEN beside TRANID, and cards that would be others there, which are refused"};
+inline constexpr auto include_keywords = std::to_array<IncludeKeyword>({
+    {"*INCLUDE", false, false, &of_include},
+    {"*INCLUDE_PATH", true, false, &of_include},
+    {"*INCLUDE_PATH_RELATIVE", true, false, &of_include},
+    {"*INCLUDE_TRANSFORM", false, true, &of_moved_include},
+});
 
 /// The motion of the nodes of a file by *INCLUDE_TRANSFORM: TRANID and FCTLEN, then the motion of the file around it.
 struct Motion {
@@ -223,13 +245,16 @@ class File {
   /// Goes into the next file that the keyword names, or notes the folders that it names.
   void include_files() {
     std::string path;
-    const bool relative = name_ == "*INCLUDE_PATH_RELATIVE";
-    if (relative || name_ == "*INCLUDE_PATH") {
+    const auto known = std::find_if(include_keywords.begin(), include_keywords.end(),
+                                    [&](const IncludeKeyword& keyword) { return keyword.name == name_; });
+    if (known == include_keywords.end())
+      refuse({name_, " is not read, and takes more or less from a file than its text: write the cards that it gives."});
+    if (known->names_folders) {
       while (next_path(path)) {
         std::replace(path.begin(), path.end(), '\\', '/');
         folders_.push_back(path.starts_with('/') ? path : joined({context_.source.folder(), "/", path}));
       }
-    } else if (name_ == "*INCLUDE" || name_ == "*INCLUDE_TRANSFORM") {
+    } else {
       if (!next_path(path)) {
         if (!names_file_) refuse({name_, " names no file: write its name below, or take the keyword out."});
         return;
@@ -237,7 +262,7 @@ class File {
       Surroundings inner = here_;
       inner.format = context_.format;
       Offsets offsets = context_.offsets;
-      if (name_ == "*INCLUDE_TRANSFORM") transform(inner, offsets);
+      if (known->moves) transform(inner, offsets);
       context_.source.include(path, folders_);
       context_.parameters.enter();
       outer_.push_back(std::move(here_));
@@ -245,8 +270,6 @@ class File {
       outer_.back().format = context_.format;
       outer_.back().offsets = context_.offsets;
       here_ = std::move(inner), context_.offsets = offsets, context_.format = keyword_format_ = here_.format;
-    } else {
-      refuse({name_, " is not read, and takes more or less from a file than its text: write the cards that it gives."});
     }
   }
   /// The cards of *INCLUDE_TRANSFORM after the name of the file.

@@ -172,20 +172,36 @@ void prescribed_motions(File& file, Draft& draft) {
   });
 }
 
+inline constexpr Meaning of_body_loads{"`body_loads`, which push against their axes", "`BodyForce`", "LCIDDR"};
+inline constexpr Meaning of_body_load_parts{"`parts` of `body_loads`", "-",
+                                            "in a scene: all parts feel the body force"};
+inline constexpr Meaning of_nodal_loads{"`nodal_loads`: forces and moments, along the axes of CID", "`NodalForce`",
+                                        "forces that follow their nodes (DOF 4 and 8); in a scene: moments"};
+inline constexpr Meaning of_segment_pressures{"`pressures`, against the normal", "`Pressure`",
+                                              "SF and AT of a blast (LCID -2)"};
+inline constexpr Meaning of_pressures{"`pressures`, against the normal", "`Pressure`",
+                                      "SF and AT of a blast (LCID -2), further fields"};
+inline constexpr Meaning of_motions{
+    "`motions`: velocities, accelerations, displacements, along an axis or VID",
+    "`PrescribedVelocity`, `PrescribedDisplacement`",
+    "DOF 9 to 12, VAD 3 and 4; in a scene: accelerations, turns, DOF below 0, BIRTH and DEATH within the run"};
+inline constexpr Meaning of_body_motions{"`motions` of a `body`",
+                                         "`BodyVelocity`, `BodyDisplacement` of the `RigidBody`",
+                                         "as of nodes; in a scene: a second motion of a body"};
 inline constexpr auto force_keywords = std::to_array<Keyword>({
-    {"*LOAD_BODY_X", body_load<1>, Invariant::none},
-    {"*LOAD_BODY_Y", body_load<2>, Invariant::none},
-    {"*LOAD_BODY_Z", body_load<3>, Invariant::none},
-    {"*LOAD_BODY_PARTS", body_load_parts, Invariant::everywhere},
-    {"*LOAD_NODE_POINT", nodal_loads<Named::node>, Invariant::none},
-    {"*LOAD_NODE_SET", nodal_loads<Named::set>, Invariant::none},
-    {"*LOAD_SEGMENT", segment_pressures},
-    {"*LOAD_SEGMENT_SET", pressures<Named::segment_set>},
-    {"*LOAD_SHELL_ELEMENT", pressures<Named::shell>},
-    {"*LOAD_SHELL_SET", pressures<Named::shell_set>},
-    {"*BOUNDARY_PRESCRIBED_MOTION_NODE", prescribed_motions<Named::node>, Invariant::none},
-    {"*BOUNDARY_PRESCRIBED_MOTION_SET", prescribed_motions<Named::set>, Invariant::none},
-    {"*BOUNDARY_PRESCRIBED_MOTION_RIGID", prescribed_motions<Named::part>, Invariant::none},
+    {"*LOAD_BODY_X", body_load<1>, Invariant::none, &of_body_loads},
+    {"*LOAD_BODY_Y", body_load<2>, Invariant::none, &of_body_loads},
+    {"*LOAD_BODY_Z", body_load<3>, Invariant::none, &of_body_loads},
+    {"*LOAD_BODY_PARTS", body_load_parts, Invariant::everywhere, &of_body_load_parts},
+    {"*LOAD_NODE_POINT", nodal_loads<Named::node>, Invariant::none, &of_nodal_loads},
+    {"*LOAD_NODE_SET", nodal_loads<Named::set>, Invariant::none, &of_nodal_loads},
+    {"*LOAD_SEGMENT", segment_pressures, Invariant::moved, &of_segment_pressures},
+    {"*LOAD_SEGMENT_SET", pressures<Named::segment_set>, Invariant::moved, &of_pressures},
+    {"*LOAD_SHELL_ELEMENT", pressures<Named::shell>, Invariant::moved, &of_pressures},
+    {"*LOAD_SHELL_SET", pressures<Named::shell_set>, Invariant::moved, &of_pressures},
+    {"*BOUNDARY_PRESCRIBED_MOTION_NODE", prescribed_motions<Named::node>, Invariant::none, &of_motions},
+    {"*BOUNDARY_PRESCRIBED_MOTION_SET", prescribed_motions<Named::set>, Invariant::none, &of_motions},
+    {"*BOUNDARY_PRESCRIBED_MOTION_RIGID", prescribed_motions<Named::part>, Invariant::none, &of_body_motions},
 });
 
 }  // namespace strike::detail::dyna

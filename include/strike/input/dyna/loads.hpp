@@ -83,12 +83,17 @@ inline void generated_velocities(File& file, Draft& draft) {
   });
 }
 
+inline constexpr Meaning of_supports{"`supports`, with the axes of CID", "`Support`", "nothing"};
+inline constexpr Meaning of_velocity{"`velocities`", "`InitialVelocity`", "NSIDEX, BOXID, IRIGID, ICID, VXR to VZR"};
+inline constexpr Meaning of_node_velocities{"`velocities`", "`InitialVelocity`", "VXR to VZR, ICID"};
+inline constexpr Meaning of_generated_velocities{"`velocities`, with spin", "`InitialVelocity` with `Spin`",
+                                                 "an axis between nodes (NX -999), PHASE, further fields"};
 inline constexpr auto load_keywords = std::to_array<Keyword>({
-    {"*BOUNDARY_SPC_NODE", node_supports, Invariant::none},
-    {"*BOUNDARY_SPC_SET", set_supports, Invariant::none},
-    {"*INITIAL_VELOCITY", velocity, Invariant::none},
-    {"*INITIAL_VELOCITY_NODE", node_velocities, Invariant::none},
-    {"*INITIAL_VELOCITY_GENERATION", generated_velocities, Invariant::none},
+    {"*BOUNDARY_SPC_NODE", node_supports, Invariant::none, &of_supports},
+    {"*BOUNDARY_SPC_SET", set_supports, Invariant::none, &of_supports},
+    {"*INITIAL_VELOCITY", velocity, Invariant::none, &of_velocity},
+    {"*INITIAL_VELOCITY_NODE", node_velocities, Invariant::none, &of_node_velocities},
+    {"*INITIAL_VELOCITY_GENERATION", generated_velocities, Invariant::none, &of_generated_velocities},
 });
 
 }  // namespace strike::detail::dyna

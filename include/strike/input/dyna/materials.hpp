@@ -359,51 +359,125 @@ inline void gruneisen(File& file, Draft& draft) {
   draft.deck.equations_of_state.push_back({number, file.name(), eos});
 }
 
+inline constexpr Meaning of_elastic{"`deck.material<Elastic>(part)`", "`Elastic`", "DA, DB, K"};
+inline constexpr Meaning of_plastic_kinematic{
+    "`PlasticMaterial`: `LinearEos`, `RateVonMises`, `FailureStrain`; of BETA below 1 without a rate "
+    "`KinematicMaterial`",
+    "`Solid` of `RateVonMises` of BETA 1, of a rate or of ETAN 0, with `FailureStrain` and `Erosion{}` if it fails",
+    "VP 0; BETA beside a rate, where hardening is isotropic; in a scene: BETA below 1 without a rate"};
+inline constexpr Meaning of_piecewise_plastic{
+    "`PlasticMaterial`; with LCSS of a curve, or EPS and ES, `TabulatedMaterial` with C and P as its `rate`; with LCSS "
+    "of a table, or LCSR, `TabulatedRatesMaterial`",
+    "`Solid` of `RateVonMises` by SIGY, `TabulatedHardening` of a curve or points, with `FailureStrain` and "
+    "`Erosion{}` if it fails",
+    "TDEL; FAIL below 0; VP 0; in a scene: the rate of a curve or points, tables, LCSR"};
+inline constexpr Meaning of_plastic_hydro{
+    "`HydroMaterial`: `VonMises`, needs an equation of state; `TabulatedHydroMaterial` of EPS and ES",
+    "`Solid` of `VonMises` and `PolynomialEos`, in hexahedra", "CHARL; in a scene: FS, EPS and ES"};
+inline constexpr Meaning of_johnson_cook{
+    "`JohnsonCookMaterial`: `JohnsonCook`, `m.fracture()`, needs an equation of state",
+    "`Solid` of `JohnsonCook` and `GruneisenEos`, in hexahedra; `JohnsonCookFailure` of D1 to D5 and EFMIN, with "
+    "`Erosion{}`",
+    "DTF, VP 0, RATEOP, SPALL, C2/P/XNP, EROD, NUMINT; in a scene: D3 to D5 without D1 and D2, or beside EFFEPS of "
+    "`*MAT_ADD_EROSION`"};
+inline constexpr Meaning of_null{"`NullMaterial`: density, viscosity, needs an equation of state",
+                                 "`Fluid` with `Newtonian{MU}`, in hexahedra",
+                                 "TEROD, CEROD; YM and PR, passed in silence"};
+inline constexpr Meaning of_isotropic_plastic{"`PlasticMaterial`: `LinearEos`, `RateVonMises`",
+                                              "`Solid` of `RateVonMises`", "further fields"};
+inline constexpr Meaning of_power_law{"`PowerMaterial`: `PowerHardening`, SRC and SRP as its `rate`", "-",
+                                      "VP 0; in a scene: all of it"};
+inline constexpr Meaning of_simplified_johnson_cook{"`SimplifiedJohnsonCookMaterial`: `JohnsonCook` without heat", "-",
+                                                    "SIGMAX, SIGSAT, VP 0; in a scene: all of it"};
+inline constexpr Meaning of_zerilli_armstrong{
+    "`ZerilliArmstrongMaterial`: `ZerilliArmstrong`, needs an equation of state", "-",
+    "SPALL, VP 0, G2 to G4, BULK, M of fcc metals, the change of B2 and B3 with the temperature; in a scene: the "
+    "material"};
+inline constexpr Meaning of_mooney_rivlin{
+    "`RubberMaterial`: `MooneyRivlin`", "-",
+    "REF; the material if A or B is negative, or fitted to LCID; in a scene: all of it"};
+inline constexpr Meaning of_viscoelastic{"`ViscoelasticMaterial`: `Prony<1>`", "-",
+                                         "the material if BETA is a curve; in a scene: all of it"};
+inline constexpr Meaning of_general_viscoelastic{
+    "`PronyMaterial`: `m.strength<3>()`", "-",
+    "PCF, EF, TREF, A, B, LCID, LCIDK, BETAKI; the material if fitted to LCID; in a scene: all of it"};
+inline constexpr Meaning of_rigid{
+    "`RigidMaterial`: density, and the axes of CMO, CON1 and CON2", "`RigidBody` of the part's cells, with `HeldBody`",
+    "N, COUPLE, M, ALIAS, LCO, A and V; in a scene: a density other than that of the part with which it moves"};
+inline constexpr Meaning of_explosive{
+    "`ExplosiveMaterial`: `m.burn(width)`",
+    "`Explosive{Jwl{...}, DetonationPoints{...}, Burn{...}}` of hexahedra, whose front is three elements wide: told",
+    "BETA 1, K, G, SIGY; in a scene: other cells, and other products than those of `*EOS_JWL`"};
+inline constexpr Meaning of_composite_damage{
+    "`PlyMaterial`: `OrthotropicPly`, `ChangChang`",
+    "`FailingPly` of a layer of `*PART_COMPOSITE`, or of NIP equal plies of a section; with `Erosion{}`",
+    "MACF, ALPH, AOPT other than 0 and 2; EC, PRCA, SN, SYZ and SZX, of solids, passed in silence; in a scene: solids, "
+    "fibres in several directions"};
+inline constexpr Meaning of_enhanced_composite_damage{
+    "`PlyMaterial`: `OrthotropicPly`, `ChangChang`",
+    "`FailingPly` of a layer of `*PART_COMPOSITE`, or of NIP equal plies of a section; with `Erosion{}`",
+    "2WAY, DFAILM, DFAILS, TFAIL, ALPH, SOFT, FBRT, YCFAC, DFAILT, DFAILC, EFS, CRIT 55, AOPT other than 0 and 2; EC "
+    "and PRCA, of solids, passed in silence; in a scene: solids, fibres in several directions"};
+inline constexpr Meaning of_erosion{
+    "`erosions`: EFFEPS, VOLEPS below 0; SIGVM, SIGP1, SIGTH with IMPULSE as laws of failure",
+    "`FailureStrain{EFFEPS}` of materials that flow, with `Erosion{}`",
+    "MXPRES, MNEPS, VOLEPS above 0, NUMFIP, NCS, MNPRES, SIGVM below 0, MXEPS, EPSSH, FAILTM; in a scene: all but "
+    "EFFEPS, materials that do not flow"};
+inline constexpr Meaning of_jwl{"`deck.eos<Jwl>(part)`", "the products of an `Explosive`", "VO"};
+inline constexpr Meaning of_detonations{"`detonations`: the part, 0 for all, and a `DetonationPoint`",
+                                        "a point of `DetonationPoints`; an explosive without one burns from the time 0",
+                                        "PID below 0, MMGSET"};
+inline constexpr Meaning of_polynomial{
+    "`deck.eos<PolynomialEos>(part)`, with density and cut-off (PC, none if 0) of the material",
+    "that of the part's `Solid` or `Fluid`", "V0"};
+inline constexpr Meaning of_gruneisen{
+    "`deck.eos<GruneisenEos>(part)`, with density and cut-off (PC, none if 0) of the material",
+    "that of the part's `Solid` or `Fluid`", "V0"};
 inline constexpr auto material_keywords = std::to_array<Keyword>({
-    {"*MAT_ELASTIC", elastic},
-    {"*MAT_001", elastic},
-    {"*MAT_PLASTIC_KINEMATIC", plastic_kinematic},
-    {"*MAT_003", plastic_kinematic},
-    {"*MAT_PIECEWISE_LINEAR_PLASTICITY", piecewise_plastic},
-    {"*MAT_024", piecewise_plastic},
-    {"*MAT_PIECEWISE_LINEAR_PLASTICITY_LOG_INTERPOLATION", piecewise_plastic},
-    {"*MAT_024_LOG_INTERPOLATION", piecewise_plastic},
-    {"*MAT_ELASTIC_PLASTIC_HYDRO", plastic_hydro},
-    {"*MAT_010", plastic_hydro},
-    {"*MAT_JOHNSON_COOK", johnson_cook},
-    {"*MAT_015", johnson_cook},
-    {"*MAT_NULL", null},
-    {"*MAT_009", null},
-    {"*MAT_ISOTROPIC_ELASTIC_PLASTIC", isotropic_plastic},
-    {"*MAT_012", isotropic_plastic},
-    {"*MAT_POWER_LAW_PLASTICITY", power_law},
-    {"*MAT_018", power_law},
-    {"*MAT_SIMPLIFIED_JOHNSON_COOK", simplified_johnson_cook},
-    {"*MAT_098", simplified_johnson_cook},
-    {"*MAT_MODIFIED_ZERILLI_ARMSTRONG", zerilli_armstrong},
-    {"*MAT_065", zerilli_armstrong},
-    {"*MAT_MOONEY-RIVLIN_RUBBER", mooney_rivlin},
-    {"*MAT_027", mooney_rivlin},
-    {"*MAT_VISCOELASTIC", viscoelastic},
-    {"*MAT_006", viscoelastic},
-    {"*MAT_GENERAL_VISCOELASTIC", general_viscoelastic},
-    {"*MAT_076", general_viscoelastic},
-    {"*MAT_RIGID", rigid},
-    {"*MAT_020", rigid},
-    {"*MAT_HIGH_EXPLOSIVE_BURN", explosive},
-    {"*MAT_008", explosive},
-    {"*MAT_COMPOSITE_DAMAGE", composite_damage, Invariant::none},
-    {"*MAT_022", composite_damage, Invariant::none},
-    {"*MAT_ENHANCED_COMPOSITE_DAMAGE", enhanced_composite_damage, Invariant::none},
-    {"*MAT_054", enhanced_composite_damage, Invariant::none},
-    {"*MAT_ADD_EROSION", add_erosion},
-    {"*EOS_JWL", jwl},
-    {"*EOS_002", jwl},
-    {"*INITIAL_DETONATION", detonations, Invariant::none},
-    {"*EOS_LINEAR_POLYNOMIAL", linear_polynomial},
-    {"*EOS_001", linear_polynomial},
-    {"*EOS_GRUNEISEN", gruneisen},
-    {"*EOS_004", gruneisen},
+    {"*MAT_ELASTIC", elastic, Invariant::moved, &of_elastic},
+    {"*MAT_001", elastic, Invariant::moved, &of_elastic},
+    {"*MAT_PLASTIC_KINEMATIC", plastic_kinematic, Invariant::moved, &of_plastic_kinematic},
+    {"*MAT_003", plastic_kinematic, Invariant::moved, &of_plastic_kinematic},
+    {"*MAT_PIECEWISE_LINEAR_PLASTICITY", piecewise_plastic, Invariant::moved, &of_piecewise_plastic},
+    {"*MAT_024", piecewise_plastic, Invariant::moved, &of_piecewise_plastic},
+    {"*MAT_PIECEWISE_LINEAR_PLASTICITY_LOG_INTERPOLATION", piecewise_plastic, Invariant::moved, &of_piecewise_plastic},
+    {"*MAT_024_LOG_INTERPOLATION", piecewise_plastic, Invariant::moved, &of_piecewise_plastic},
+    {"*MAT_ELASTIC_PLASTIC_HYDRO", plastic_hydro, Invariant::moved, &of_plastic_hydro},
+    {"*MAT_010", plastic_hydro, Invariant::moved, &of_plastic_hydro},
+    {"*MAT_JOHNSON_COOK", johnson_cook, Invariant::moved, &of_johnson_cook},
+    {"*MAT_015", johnson_cook, Invariant::moved, &of_johnson_cook},
+    {"*MAT_NULL", null, Invariant::moved, &of_null},
+    {"*MAT_009", null, Invariant::moved, &of_null},
+    {"*MAT_ISOTROPIC_ELASTIC_PLASTIC", isotropic_plastic, Invariant::moved, &of_isotropic_plastic},
+    {"*MAT_012", isotropic_plastic, Invariant::moved, &of_isotropic_plastic},
+    {"*MAT_POWER_LAW_PLASTICITY", power_law, Invariant::moved, &of_power_law},
+    {"*MAT_018", power_law, Invariant::moved, &of_power_law},
+    {"*MAT_SIMPLIFIED_JOHNSON_COOK", simplified_johnson_cook, Invariant::moved, &of_simplified_johnson_cook},
+    {"*MAT_098", simplified_johnson_cook, Invariant::moved, &of_simplified_johnson_cook},
+    {"*MAT_MODIFIED_ZERILLI_ARMSTRONG", zerilli_armstrong, Invariant::moved, &of_zerilli_armstrong},
+    {"*MAT_065", zerilli_armstrong, Invariant::moved, &of_zerilli_armstrong},
+    {"*MAT_MOONEY-RIVLIN_RUBBER", mooney_rivlin, Invariant::moved, &of_mooney_rivlin},
+    {"*MAT_027", mooney_rivlin, Invariant::moved, &of_mooney_rivlin},
+    {"*MAT_VISCOELASTIC", viscoelastic, Invariant::moved, &of_viscoelastic},
+    {"*MAT_006", viscoelastic, Invariant::moved, &of_viscoelastic},
+    {"*MAT_GENERAL_VISCOELASTIC", general_viscoelastic, Invariant::moved, &of_general_viscoelastic},
+    {"*MAT_076", general_viscoelastic, Invariant::moved, &of_general_viscoelastic},
+    {"*MAT_RIGID", rigid, Invariant::moved, &of_rigid},
+    {"*MAT_020", rigid, Invariant::moved, &of_rigid},
+    {"*MAT_HIGH_EXPLOSIVE_BURN", explosive, Invariant::moved, &of_explosive},
+    {"*MAT_008", explosive, Invariant::moved, &of_explosive},
+    {"*MAT_COMPOSITE_DAMAGE", composite_damage, Invariant::none, &of_composite_damage},
+    {"*MAT_022", composite_damage, Invariant::none, &of_composite_damage},
+    {"*MAT_ENHANCED_COMPOSITE_DAMAGE", enhanced_composite_damage, Invariant::none, &of_enhanced_composite_damage},
+    {"*MAT_054", enhanced_composite_damage, Invariant::none, &of_enhanced_composite_damage},
+    {"*MAT_ADD_EROSION", add_erosion, Invariant::moved, &of_erosion},
+    {"*EOS_JWL", jwl, Invariant::moved, &of_jwl},
+    {"*EOS_002", jwl, Invariant::moved, &of_jwl},
+    {"*INITIAL_DETONATION", detonations, Invariant::none, &of_detonations},
+    {"*EOS_LINEAR_POLYNOMIAL", linear_polynomial, Invariant::moved, &of_polynomial},
+    {"*EOS_001", linear_polynomial, Invariant::moved, &of_polynomial},
+    {"*EOS_GRUNEISEN", gruneisen, Invariant::moved, &of_gruneisen},
+    {"*EOS_004", gruneisen, Invariant::moved, &of_gruneisen},
 });
 
 }  // namespace strike::detail::dyna

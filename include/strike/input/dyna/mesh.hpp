@@ -93,21 +93,6 @@ void solids_of_second_order(File& file, Draft& draft) {
   });
 }
 
-/// The options of a keyword, from a list of those that may stand in it; false if it has others.
-template <std::size_t N>
-bool has_options(std::string_view options, const std::array<std::string_view, N>& known, std::array<bool, N>& has) {
-  has = {};
-  while (!options.empty()) {
-    const auto option = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
-      return options.starts_with(name) && (options.size() == name.size() || options[name.size()] == '_');
-    });
-    if (option == known.end()) return false;
-    has[static_cast<std::size_t>(option - known.begin())] = true;
-    options.remove_prefix(option->size());
-  }
-  return true;
-}
-
 inline constexpr std::array<std::string_view, 5> shell_options{"_THICKNESS", "_BETA", "_MCID", "_OFFSET", "_DOF"};
 inline void plates(File& file, Draft& draft) {
   std::array<bool, 5> has;
@@ -227,25 +212,56 @@ inline void composite(File& file, Draft& draft) {
   draft.deck.composites.push_back(std::move(composite));
 }
 
+inline constexpr Meaning of_nodes{"nodes; `supports` of TC and RC", "nodes; `Support`", "nothing"};
+inline constexpr Meaning of_solids{
+    "cells, of one line or two",
+    "`Hex8{ViscousHourglass{QM}}` of fluids, and of ELFORM 1 with IHQ 1 to 3 or none; else `Hex8{}`; `Tet4{}`",
+    "in a scene: ELFORM other than 1, IHQ 4 and 5, for which another element stands"};
+inline constexpr Meaning of_oriented_solids{"cells", "as `*ELEMENT_SOLID`", "the axes of each solid"};
+inline constexpr Meaning of_second_order{"cells of first order, cut on request", "as `*ELEMENT_SOLID`",
+                                         "refused unless the options cut them; the mid nodes of `_H27`"};
+inline constexpr Meaning of_shells{
+    "cells; `shells`: thickness, angle and offset of each that has some",
+    "`Plate4{}`, `Plate3{}`; the thickness of a part, and of layers angle and offset, that all its shells have",
+    "MCID; the scalar nodes of `_DOF`; in a scene: values that differ within a part, OFFSET without layers, ELFORM "
+    "other than 2 and hourglass control, for which those of the plates stand"};
+inline constexpr Meaning of_parts{
+    "`parts`, `part_cards`; `inertias` of `_INERTIA`; of `_CONTACT` friction and OPTT",
+    "`Part`; a `RigidBody` of `*MAT_RIGID`, with mass, centre, tensor and velocity of `_INERTIA`, whatever "
+    "`*INITIAL_VELOCITY` says",
+    "GRAV, ADPOPT, TMID; VC, SFT, SSF, CPARM8 of `_CONTACT`; the cards of `_REPOSITION` and `_ATTACHMENT_NODES`; in a "
+    "scene: `_CONTACT`, `_INERTIA` of a part that moves with another"};
+inline constexpr Meaning of_composites{
+    "`parts`, `part_cards`; `composites`: layers, ELFORM, SHRF, NLOC",
+    "`Layered{PlyStack{{Ply{...}, ...}}, Offset{...}, FibreDirection{...}}` of `FailingPly`, with `Erosion{}`",
+    "MAREA; in a scene: layers of other materials than plies and `*MAT_ELASTIC`, SHRF, for which the shear by "
+    "equilibrium stands"};
 inline constexpr auto mesh_keywords = std::to_array<Keyword>({
-    {"*NODE", nodes, Invariant::everywhere},
-    {"*ELEMENT_SOLID", all_solids, Invariant::everywhere},
-    {"*ELEMENT_SOLID_ORTHO", oriented_solids, Invariant::none},
-    {"*ELEMENT_SOLID_H20", solids_of_second_order<SecondOrderKind::hexahedron20>, Invariant::everywhere},
-    {"*ELEMENT_SOLID_H27", solids_of_second_order<SecondOrderKind::hexahedron27>, Invariant::everywhere},
-    {"*ELEMENT_SHELL", plates, Invariant::everywhere},
-    {"*PART", parts, Invariant::everywhere},
-    {"*PART_COMPOSITE", composite},
-    {"*PART_COMPOSITE_CONTACT", composite},
+    {"*NODE", nodes, Invariant::everywhere, &of_nodes},
+    {"*ELEMENT_SOLID", all_solids, Invariant::everywhere, &of_solids},
+    {"*ELEMENT_SOLID_ORTHO", oriented_solids, Invariant::none, &of_oriented_solids},
+    {"*ELEMENT_SOLID_H20", solids_of_second_order<SecondOrderKind::hexahedron20>, Invariant::everywhere,
+     &of_second_order},
+    {"*ELEMENT_SOLID_H27", solids_of_second_order<SecondOrderKind::hexahedron27>, Invariant::everywhere,
+     &of_second_order},
+    {"*ELEMENT_SHELL", plates, Invariant::everywhere, &of_shells},
+    {"*PART", parts, Invariant::everywhere, &of_parts},
+    {"*PART_COMPOSITE", composite, Invariant::moved, &of_composites},
+    {"*PART_COMPOSITE_CONTACT", composite, Invariant::moved, &of_composites},
 });
 
 /// The readers of *ELEMENT_SHELL and *PART with any of their options; null for other keywords.
 inline const Keyword* keyword_with_options(std::string_view name) {
-  static constexpr Keyword shell{"*ELEMENT_SHELL", plates}, part{"*PART", parts, Invariant::none};
+  static constexpr Keyword shell{"*ELEMENT_SHELL", plates, Invariant::moved, &of_shells},
+      part{"*PART", parts, Invariant::none, &of_parts};
   std::array<bool, 5> has;
   if (name.starts_with(shell.name) && has_options(name.substr(shell.name.size()), shell_options, has)) return &shell;
   if (name.starts_with(part.name) && has_options(name.substr(part.name.size()), part_options, has)) return &part;
   return nullptr;
 }
+inline constexpr auto mesh_families = std::to_array<Family>({
+    {"*ELEMENT_SHELL", {}, shell_options, keyword_with_options},
+    {"*PART", {}, part_options, keyword_with_options},
+});
 
 }  // namespace strike::detail::dyna

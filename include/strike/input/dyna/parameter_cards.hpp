@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -96,24 +97,25 @@ inline void parameter_duplication(File& file, Draft&) {
   file.parameters().duplication = static_cast<Duplication>(flag);
 }
 
+inline constexpr Meaning of_parameters{
+    "values in other cards", "the same",
+    "the kind of `_TYPE`; a second value, unless `*PARAMETER_DUPLICATION` says otherwise"};
+inline constexpr Meaning of_duplication{"the value of a parameter that counts", "the same", "nothing"};
+inline constexpr auto parameter_keywords = std::to_array<Keyword>({
+    {"*PARAMETER_DUPLICATION", parameter_duplication, Invariant::everywhere, &of_duplication},
+});
+inline constexpr std::array<std::string_view, 4> parameter_options{"_EXPRESSION", "_LOCAL", "_MUTABLE", "_TYPE"};
 /// The reader of *PARAMETER with any of its options; null for other keywords.
 inline const Keyword* parameter_keyword(std::string_view name) {
-  static constexpr Keyword values{"*PARAMETER", parameters, Invariant::everywhere},
-      expressions{"*PARAMETER_EXPRESSION", parameter_expressions, Invariant::everywhere},
-      duplication{"*PARAMETER_DUPLICATION", parameter_duplication, Invariant::everywhere};
-  if (!name.starts_with("*PARAMETER")) return nullptr;
-  if (name == duplication.name) return &duplication;
-  bool is_expression = false;
-  std::string_view options = name.substr(values.name.size());
-  while (!options.empty()) {
-    if (options.front() != '_') return nullptr;
-    options.remove_prefix(1);
-    const std::string_view option = options.substr(0, options.find('_'));
-    if (option != "LOCAL" && option != "EXPRESSION" && option != "MUTABLE" && option != "TYPE") return nullptr;
-    is_expression |= option == "EXPRESSION";
-    options.remove_prefix(option.size());
-  }
-  return is_expression ? &expressions : &values;
+  static constexpr Keyword values{"*PARAMETER", parameters, Invariant::everywhere, &of_parameters},
+      expressions{"*PARAMETER_EXPRESSION", parameter_expressions, Invariant::everywhere, &of_parameters};
+  std::array<bool, 4> has;
+  if (!name.starts_with(values.name)) return nullptr;
+  if (!has_options(name.substr(values.name.size()), parameter_options, has)) return nullptr;
+  return has[0] ? &expressions : &values;
 }
+inline constexpr auto parameter_families = std::to_array<Family>({
+    {"*PARAMETER", {}, parameter_options, parameter_keyword},
+});
 
 }  // namespace strike::detail::dyna

@@ -66,19 +66,30 @@ void extra_nodes(File& file, Draft& draft) {
   });
 }
 
+inline constexpr Meaning of_rigid_merges{"`rigid_merges`: numbers of parts or bodies",
+                                         "one `RigidBody` of the cells of the parts",
+                                         "IFLAG; in a scene: merges of bodies of nodes"};
+inline constexpr Meaning of_extra_nodes{"`extra_nodes` of a part or body", "`.with_nodes(...)` of the `RigidBody`",
+                                        "IFLAG"};
+inline constexpr Meaning of_rigid_bodies{"`rigid_bodies`: nodes, what holds them (`_SPC`), inertia",
+                                         "`RigidBody` of the nodes, with `HeldBody`",
+                                         "CID, PNODE, DRFLAG, RRFLAG, the card of `_OVERRIDE`; in a scene: `_INERTIA`"};
 inline constexpr auto rigid_keywords = std::to_array<Keyword>({
-    {"*CONSTRAINED_RIGID_BODIES", rigid_merges, Invariant::everywhere},
-    {"*CONSTRAINED_EXTRA_NODES_NODE", extra_nodes<Named::node>, Invariant::everywhere},
-    {"*CONSTRAINED_EXTRA_NODES_SET", extra_nodes<Named::set>, Invariant::everywhere},
+    {"*CONSTRAINED_RIGID_BODIES", rigid_merges, Invariant::everywhere, &of_rigid_merges},
+    {"*CONSTRAINED_EXTRA_NODES_NODE", extra_nodes<Named::node>, Invariant::everywhere, &of_extra_nodes},
+    {"*CONSTRAINED_EXTRA_NODES_SET", extra_nodes<Named::set>, Invariant::everywhere, &of_extra_nodes},
 });
 /// The reader of *CONSTRAINED_NODAL_RIGID_BODY with any of its options; null for other keywords.
 inline const Keyword* rigid_body_keyword(std::string_view name) {
-  static constexpr Keyword plain{nodal_rigid_body, rigid_bodies, Invariant::everywhere},
-      in_place{nodal_rigid_body, rigid_bodies, Invariant::none};
+  static constexpr Keyword plain{nodal_rigid_body, rigid_bodies, Invariant::everywhere, &of_rigid_bodies},
+      in_place{nodal_rigid_body, rigid_bodies, Invariant::none, &of_rigid_bodies};
   std::array<bool, 4> has;
   if (!name.starts_with(nodal_rigid_body)) return nullptr;
   if (!has_options(name.substr(nodal_rigid_body.size()), rigid_body_options, has)) return nullptr;
   return has[0] || has[1] ? &in_place : &plain;
 }
+inline constexpr auto rigid_families = std::to_array<Family>({
+    {nodal_rigid_body, {}, rigid_body_options, rigid_body_keyword},
+});
 
 }  // namespace strike::detail::dyna

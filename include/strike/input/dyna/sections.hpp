@@ -41,6 +41,7 @@ inline void shell_section(File& file, Draft& draft) {
     for (double& t : section.corner_thickness)
       if (t == 0) t = section.thickness;
     section.reference = thicknesses.number("NLOC");
+    file.ignore(thicknesses.number("MAREA"), "MAREA");
     if (angles) {
       file.ignore(1, "The angle of each layer");
       for (FileNumber left = section.points; left > 0 && file.pass_card(); left -= 8) {
@@ -67,15 +68,28 @@ inline void hourglass(File& file, Draft& draft) {
 inline void nothing_more(File&, Draft&) {}
 inline void title_of_run(File& file, Draft&) { file.pass(); }
 inline void title(File& file, Draft& draft) { draft.deck.title = file.heading(); }
+inline constexpr Meaning of_solid_section{"`deck.section(part)`: form", "the choice of `Hex8`",
+                                          "the element of a user; AET, passed in silence"};
+inline constexpr Meaning of_shell_section{
+    "`deck.section(part)`: form, thickness, points, shear factor, reference surface",
+    "`Homogeneous{PlaneStress{...}, T1}` of five points by Simpson's rule; of plies `Layered`",
+    "QR/IRID, the angles of ICOMP, MAREA, the element of a user; PROPT, SETYP, IDOF and EDGSET, passed in silence; in "
+    "a scene: NIP other than 5, SHRF other than 5/6, T2 to T4 other than T1, NLOC without layers"};
+inline constexpr Meaning of_hourglass{"`deck.hourglass(part)`: type, coefficients, bulk viscosity",
+                                      "`ViscousHourglass{QM}`, `BulkViscosity{Q1, Q2}` of solids",
+                                      "IBQ and VDC, passed in silence; in a scene: all of plates"};
+inline constexpr Meaning of_nothing{"-", "-", "nothing"};
+inline constexpr Meaning of_end{"nothing is read after it", "the same", "nothing"};
+inline constexpr Meaning of_title{"`title`", "`title`", "nothing"};
 inline constexpr auto section_keywords = std::to_array<Keyword>({
-    {"*SECTION_SOLID", solid_section},
-    {"*SECTION_SHELL", shell_section},
-    {"*HOURGLASS", hourglass},
-    {"*KEYWORD", nothing_more, Invariant::everywhere},
-    {"*KEYWORD_ID", title_of_run, Invariant::everywhere},
-    {"*KEYWORD_JOBID", title_of_run, Invariant::everywhere},
-    {"*END", nothing_more, Invariant::everywhere},
-    {"*TITLE", title, Invariant::everywhere},
+    {"*SECTION_SOLID", solid_section, Invariant::moved, &of_solid_section},
+    {"*SECTION_SHELL", shell_section, Invariant::moved, &of_shell_section},
+    {"*HOURGLASS", hourglass, Invariant::moved, &of_hourglass},
+    {"*KEYWORD", nothing_more, Invariant::everywhere, &of_nothing},
+    {"*KEYWORD_ID", title_of_run, Invariant::everywhere, &of_nothing},
+    {"*KEYWORD_JOBID", title_of_run, Invariant::everywhere, &of_nothing},
+    {"*END", nothing_more, Invariant::everywhere, &of_end},
+    {"*TITLE", title, Invariant::everywhere, &of_title},
 });
 
 }  // namespace strike::detail::dyna

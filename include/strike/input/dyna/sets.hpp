@@ -139,29 +139,40 @@ inline void segment_set(File& file, Draft& draft) {
   draft.segment_sets.push_back(std::move(set));
 }
 
+inline constexpr Meaning of_node_sets{"`node_sets`, of sets before and after too", "nodes of other cards",
+                                      "DA1 to DA4, passed in silence"};
+inline constexpr Meaning of_general_sets{"`node_sets`, of ALL, NODE, PART, BOX and the same with D",
+                                         "nodes of other cards", "other options, which are refused"};
+inline constexpr Meaning of_cell_sets{"`cell_sets`, of sets before and after too", "cells of other cards",
+                                      "DA1 to DA4, passed in silence"};
+inline constexpr Meaning of_part_sets{"`part_sets`, of sets before and after too", "parts of other cards",
+                                      "DA1 to DA4, passed in silence"};
+inline constexpr Meaning of_segment_sets{"`segment_sets`", "faces of other cards",
+                                         "DA1 to DA4, passed in silence; A1 to A4 of a segment"};
+inline constexpr Meaning of_boxes{"nodes of `*SET_NODE_GENERAL`", "the same", "nothing"};
 inline constexpr auto set_keywords = std::to_array<Keyword>({
-    {"*SET_NODE", set<node_sets>, Invariant::everywhere},
-    {"*SET_NODE_LIST", set<node_sets>, Invariant::everywhere},
-    {"*SET_NODE_LIST_GENERATE", set<node_sets, Listed::in_ranges>, Invariant::everywhere},
-    {"*SET_NODE_LIST_GENERATE_INCREMENT", set<node_sets, Listed::in_steps>, Invariant::everywhere},
-    {"*SET_NODE_ADD", sum_of_sets<node_sets>, Invariant::everywhere},
-    {"*SET_NODE_GENERAL", general_node_set, Invariant::everywhere},
-    {"*SET_SOLID", set<solid_sets>, Invariant::everywhere},
-    {"*SET_SOLID_LIST", set<solid_sets>, Invariant::everywhere},
-    {"*SET_SOLID_GENERATE", set<solid_sets, Listed::in_ranges>, Invariant::everywhere},
-    {"*SET_SOLID_LIST_GENERATE", set<solid_sets, Listed::in_ranges>, Invariant::everywhere},
-    {"*SET_SOLID_ADD", sum_of_sets<solid_sets>, Invariant::everywhere},
-    {"*SET_SHELL", set<shell_sets>, Invariant::everywhere},
-    {"*SET_SHELL_LIST", set<shell_sets>, Invariant::everywhere},
-    {"*SET_SHELL_LIST_GENERATE", set<shell_sets, Listed::in_ranges>, Invariant::everywhere},
-    {"*SET_SHELL_ADD", sum_of_sets<shell_sets>, Invariant::everywhere},
-    {"*SET_PART", set<part_sets>, Invariant::everywhere},
-    {"*SET_PART_LIST", set<part_sets>, Invariant::everywhere},
-    {"*SET_PART_LIST_GENERATE", set<part_sets, Listed::in_ranges>, Invariant::everywhere},
-    {"*SET_PART_LIST_GENERATE_INCREMENT", set<part_sets, Listed::in_steps>, Invariant::everywhere},
-    {"*SET_PART_ADD", sum_of_sets<part_sets>, Invariant::everywhere},
-    {"*SET_SEGMENT", segment_set, Invariant::everywhere},
-    {"*DEFINE_BOX", box, Invariant::none},
+    {"*SET_NODE", set<node_sets>, Invariant::everywhere, &of_node_sets},
+    {"*SET_NODE_LIST", set<node_sets>, Invariant::everywhere, &of_node_sets},
+    {"*SET_NODE_LIST_GENERATE", set<node_sets, Listed::in_ranges>, Invariant::everywhere, &of_node_sets},
+    {"*SET_NODE_LIST_GENERATE_INCREMENT", set<node_sets, Listed::in_steps>, Invariant::everywhere, &of_node_sets},
+    {"*SET_NODE_ADD", sum_of_sets<node_sets>, Invariant::everywhere, &of_node_sets},
+    {"*SET_NODE_GENERAL", general_node_set, Invariant::everywhere, &of_general_sets},
+    {"*SET_SOLID", set<solid_sets>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SOLID_LIST", set<solid_sets>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SOLID_GENERATE", set<solid_sets, Listed::in_ranges>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SOLID_LIST_GENERATE", set<solid_sets, Listed::in_ranges>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SOLID_ADD", sum_of_sets<solid_sets>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SHELL", set<shell_sets>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SHELL_LIST", set<shell_sets>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SHELL_LIST_GENERATE", set<shell_sets, Listed::in_ranges>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_SHELL_ADD", sum_of_sets<shell_sets>, Invariant::everywhere, &of_cell_sets},
+    {"*SET_PART", set<part_sets>, Invariant::everywhere, &of_part_sets},
+    {"*SET_PART_LIST", set<part_sets>, Invariant::everywhere, &of_part_sets},
+    {"*SET_PART_LIST_GENERATE", set<part_sets, Listed::in_ranges>, Invariant::everywhere, &of_part_sets},
+    {"*SET_PART_LIST_GENERATE_INCREMENT", set<part_sets, Listed::in_steps>, Invariant::everywhere, &of_part_sets},
+    {"*SET_PART_ADD", sum_of_sets<part_sets>, Invariant::everywhere, &of_part_sets},
+    {"*SET_SEGMENT", segment_set, Invariant::everywhere, &of_segment_sets},
+    {"*DEFINE_BOX", box, Invariant::none, &of_boxes},
 });
 
 }  // namespace strike::detail::dyna

@@ -95,8 +95,10 @@ inline void move_nodes(Draft& draft, const File& file) {
   }
 }
 
+inline constexpr Meaning of_transformations{"nodes of `*INCLUDE_TRANSFORM`: SCALE, ROTATE, TRANSL, POINT", "the same",
+                                            "other options, and one that mirrors, which are refused"};
 inline constexpr auto transformation_keywords = std::to_array<Keyword>({
-    {"*DEFINE_TRANSFORMATION", transformation, Invariant::none},
+    {"*DEFINE_TRANSFORMATION", transformation, Invariant::none, &of_transformations},
 });
 
 }  // namespace strike::detail::dyna

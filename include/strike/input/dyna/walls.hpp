@@ -159,10 +159,21 @@ inline void shaped_wall(File& file, Draft& draft) {
     draft.obstacles.push_back({std::move(obstacle), std::move(choices), 0, line});
 }
 
+inline constexpr Meaning of_planar_walls{
+    "`walls`: edges, mass and speed",
+    "`RigidWall`; with edges `Contact{NodeToRigid{...}, Coulomb{FRIC}}` with a `RigidSurface`",
+    "`_ORTHO`, which is refused; BOXID, OFFSET, BIRTH, DEATH, RWKSF, FRIC 1 to 3, the card of `_FORCES`; in a scene: "
+    "walls that move, or end in one direction alone"};
+inline constexpr Meaning of_shaped_walls{
+    "`walls` of `_FLAT`; `obstacles`: shape, length of a cylinder; motion of both",
+    "`RigidWall`; `Contact{NodeToRigid{...}, Coulomb{FRIC}}` with a `RigidSphere`, `RigidCylinder` or, of `_FLAT` with "
+    "edges, `RigidSurface`",
+    "`_PRISM`, `_INTERIOR` and `_DEFORM`, which are refused; BOXID, BIRTH, DEATH, FRIC 1 to 3, segments of a cylinder; "
+    "in a scene: LENCYL, walls that move, or end in one direction alone"};
 /// The readers of *RIGIDWALL_PLANAR and _GEOMETRIC with any of their options; null for other keywords.
 inline const Keyword* wall_keyword(std::string_view name) {
-  static constexpr Keyword planar{planar_wall, wall, Invariant::none},
-      shaped{geometric_wall, shaped_wall, Invariant::none};
+  static constexpr Keyword planar{planar_wall, wall, Invariant::none, &of_planar_walls},
+      shaped{geometric_wall, shaped_wall, Invariant::none, &of_shaped_walls};
   std::array<bool, 6> of_plane;
   std::array<bool, 9> of_shape;
   if (name.starts_with(planar_wall) && has_options(name.substr(planar_wall.size()), planar_options, of_plane))
@@ -171,5 +182,9 @@ inline const Keyword* wall_keyword(std::string_view name) {
     return &shaped;
   return nullptr;
 }
+inline constexpr auto wall_families = std::to_array<Family>({
+    {planar_wall, {}, planar_options, wall_keyword},
+    {geometric_wall, {}, geometric_options, wall_keyword},
+});
 
 }  // namespace strike::detail::dyna
