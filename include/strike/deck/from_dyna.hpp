@@ -312,7 +312,7 @@ class FromDyna {
       } else {
         const std::string asked =
             form == 1 ? joined({"IHQ ", std::to_string(type)}) : joined({"ELFORM ", std::to_string(form)});
-        if (form != 1 || type < 6)
+        if (form != 1 || type < 6 || type > 7)
           replaced({name_of(part), ": hexahedra whose hourglass control follows the material stand for ", asked,
                     "; they bend in one layer as it should be."});
         place(part, Hex8{PhysicalHourglass{}, HughesWinget{}, viscosity}, material, code_of(material), cells.hexahedra,

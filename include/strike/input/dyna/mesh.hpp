@@ -216,7 +216,7 @@ inline constexpr Meaning of_nodes{"nodes; `supports` of TC and RC", "nodes; `Sup
 inline constexpr Meaning of_solids{
     "cells, of one line or two",
     "`Hex8{ViscousHourglass{QM}}` of fluids, and of ELFORM 1 with IHQ 1 to 3 or none; else `Hex8{}`; `Tet4{}`",
-    "in a scene: ELFORM other than 1, IHQ 4 and 5, for which another element stands"};
+    "in a scene: ELFORM other than 1, IHQ other than 1 to 3, 6 and 7, for which another element stands"};
 inline constexpr Meaning of_oriented_solids{"cells", "as `*ELEMENT_SOLID`", "the axes of each solid"};
 inline constexpr Meaning of_second_order{"cells of first order, cut on request", "as `*ELEMENT_SOLID`",
                                          "refused unless the options cut them; the mid nodes of `_H27`"};
