@@ -32,7 +32,7 @@ std::string cell(std::string_view text) {
 }
 
 std::string row(const std::string& names, const dyna::Meaning* meaning) {
-  if (!meaning || meaning->deck.empty() || meaning->scene.empty() || meaning->lacks.empty()) {
+  if (!meaning || !meaning->is_whole()) {
     std::fprintf(stderr, "%s is read, and has no texts: give it a Meaning beside its name.\n", names.c_str());
     is_whole = false;
     return {};

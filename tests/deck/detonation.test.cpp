@@ -14,10 +14,12 @@
 #include <strike/dynamics/explicit.hpp>
 #include <strike/input/dyna.hpp>
 
+#include "deck/sentences.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
 using Catch::Matchers::ContainsSubstring;
+using testing::has;
 
 namespace {
 
@@ -37,11 +39,6 @@ std::string charge(const std::vector<std::pair<std::string, std::string>>& chang
 }
 DeckScene scene_of(const std::string& deck) { return deck_scene(read_dyna(deck, "charge.k")); }
 const std::string starts = "1,0.0,0.5,0.5,0.0\n0,24.0,0.5,0.5,0.001\n";
-
-bool has(const std::vector<std::string>& sentences, const std::string& piece) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [&](const std::string& sentence) { return sentence.find(piece) != sentence.npos; });
-}
 
 }  // namespace
 

@@ -1,6 +1,5 @@
 // Cards of LS-DYNA as a scene, in sentences and in C++. That scenes and programs give the same bits is seen
 // where examples are built (tests/run examples), for each pair would have to be compiled.
-#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,11 +8,13 @@
 #include <strike/deck/program.hpp>
 #include <strike/input/dyna.hpp>
 
+#include "deck/sentences.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::StartsWith;
+using testing::has;
 
 namespace {
 
@@ -72,11 +73,6 @@ const std::string three_metals = R"(*MAT_ELASTIC
 3,2.7,70,.25
 )";
 const std::string ended = "*CONTROL_TERMINATION\n2\n";
-
-bool has(const std::vector<std::string>& sentences, const std::string& piece) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [&](const std::string& sentence) { return sentence.find(piece) != sentence.npos; });
-}
 
 }  // namespace
 

@@ -29,9 +29,7 @@ std::vector<std::string> names_of(const dyna::Family& family) {
   }
   return names;
 }
-bool has_texts(const dyna::Meaning* meaning) {
-  return meaning && !meaning->deck.empty() && !meaning->scene.empty() && !meaning->lacks.empty();
-}
+bool has_texts(const dyna::Meaning* meaning) { return meaning && meaning->is_whole(); }
 
 }  // namespace
 

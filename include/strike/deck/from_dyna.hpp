@@ -20,6 +20,7 @@
 #include <strike/deck/scene.hpp>
 #include <strike/error.hpp>
 #include <strike/input/dyna_cards.hpp>
+#include <strike/mesh/measure.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -249,11 +250,7 @@ class FromDyna {
   /// The largest cube root of a volume, 1 if there are no cells.
   double longest_edge(const Cells<8>& cells) const {
     double volume = 0;
-    for (const auto& corners : cells) {
-      Nodal<double, 8> x;
-      for (std::size_t i = 0; i < 8; ++i) x.col(static_cast<Eigen::Index>(i)) = deck_.mesh.nodes[corners[i]];
-      volume = std::max(volume, Hex8Gradient<double>(to_modes<double>(x)).volume);
-    }
+    for (const auto& cell : cells) volume = std::max(volume, hexahedron_volume(deck_.mesh.nodes, cell));
     return volume > 0 ? std::cbrt(volume) : 1;
   }
   void tell_detonations() {

@@ -122,8 +122,7 @@ struct Hex8Full {
         advance(i, measured);
       }
 
-    const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
-    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / density_of(material)) * J};
+    const Stability<T> stability = this->stability(material, g, laplacian, per_volume, J);
     T q = bulk_viscosity.pressure(before.wave(), stability.crossing_time(before.wave()), theta);
     if constexpr (requires { material.intact(state.material[0]); })
       q = select(intact_volume > 0.0, q * (intact_volume * per_volume), T(0.0));
@@ -134,9 +133,7 @@ struct Hex8Full {
         advance(i, measures[i]);
       }
 
-    const T P = T(1.0 / 64.0) * (tension * per_volume - q);
-    F.a1 += P * g.a1, F.a2 += P * g.a2, F.a3 += P * g.a3;
-    F.b1 += P * g.b1, F.b2 += P * g.b2, F.b3 += P * g.b3;
+    g.add_forces_of(T(tension * per_volume - q), F);
     response.force = to_nodes(F);
 
     response.volume = select(least_volume > 0.0, V, least_volume);
@@ -173,8 +170,7 @@ struct Hex8Full {
       laplacian.add(point, map, inverse);
       intact = max(intact, share);
     }
-    const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
-    const Stability<T> stability{S, per_volume * laplacian.largest_eigenvalue(), (1.0 / density_of(material)) * J};
+    const Stability<T> stability = this->stability(material, g, laplacian, per_volume, J);
     const T zeta = bulk_viscosity.coefficient(moduli.wave(), stability.crossing_time(moduli.wave()), theta);
     Resistance<T> resistance =
         Resistance<T>::in_step(material, moduli, zeta, T(0.125 * density_of(material) / state.inverse_volume), dt);
@@ -192,6 +188,12 @@ struct Hex8Full {
     T dV;
   };
 
+  template <class M, class T>
+  static Stability<T> stability(const M& material, const Hex8Gradient<T>& g, const Hex8Laplacian<T>& laplacian,
+                                const T& per_volume, const T& J) {
+    const T S = T(1.0 / 512.0) * per_volume * per_volume * trace(g.squared_a() + g.squared_b());
+    return {S, per_volume * laplacian.largest_eigenvalue(), (1.0 / density_of(material)) * J};
+  }
   template <class T>
   static Moduli<T> larger(const Moduli<T>& a, const Moduli<T>& b) {
     return {max(a.bulk, b.bulk), max(a.shear, b.shear)};

@@ -71,6 +71,12 @@ struct Hex8Gradient {
     const Matrix3<T> P = T(1.0 / 64.0) * sigma;
     return {times(P, a1), times(P, a2), times(P, a3), times(P, b1), times(P, b2), times(P, b3), Vector3<T>::Zero()};
   }
+  /// Adds those of the same tension in all directions.
+  void add_forces_of(const T& tension, Hex8Modes<T>& F) const {
+    const T P = T(1.0 / 64.0) * tension;
+    F.a1 += P * a1, F.a2 += P * a2, F.a3 += P * a3;
+    F.b1 += P * b1, F.b2 += P * b2, F.b3 += P * b3;
+  }
 
   /// 512 B_iI B_jI = sum_k g_k (x) g_k: the part of the modes a, all there is in a parallelepiped, ...
   SymmetricTensor<T> squared_a() const { return outer_square(a1) + outer_square(a2) + outer_square(a3); }

@@ -83,9 +83,7 @@ struct Hex8FullResistance {
       at.add_forces<T>(S.matrix().lazyProduct(map.cofactors), F);
     }
     const T theta = g.gradient_of(u, T(1.0 / g.volume)).trace();
-    const T P = T(1.0 / 64.0) * (point.lambda + T(2.0 / 3.0) * point.shear) * theta;
-    F.a1 += P * g.a1, F.a2 += P * g.a2, F.a3 += P * g.a3;
-    F.b1 += P * g.b1, F.b2 += P * g.b2, F.b3 += P * g.b3;
+    g.add_forces_of(T((point.lambda + T(2.0 / 3.0) * point.shear) * theta), F);
     return to_nodes(F);
   }
 };

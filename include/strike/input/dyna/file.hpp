@@ -16,6 +16,8 @@ namespace strike::detail::dyna {
 /// Row of docs/deck_cards.md: what keywords become in a deck and in the scene of it, and what of them is not honoured.
 struct Meaning {
   std::string_view deck, scene, lacks;
+
+  constexpr bool is_whole() const { return !deck.empty() && !scene.empty() && !lacks.empty(); }
 };
 /// A keyword that names files or folders, which `File` follows.
 struct IncludeKeyword {
