@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/contact/carried.hpp>
 #include <strike/contact/contact.hpp>
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>

@@ -6,6 +6,7 @@
 #include <strike/mesh/cylinder.hpp>
 #include <strike/mesh/degenerate.hpp>
 #include <strike/mesh/disc.hpp>
+#include <strike/mesh/frame.hpp>
 #include <strike/mesh/grading.hpp>
 #include <strike/mesh/inertia.hpp>
 #include <strike/mesh/measure.hpp>

@@ -153,7 +153,8 @@ inline RigidSphere placed(const RigidSphere& sphere, const Placement& at) {
   return {at.point(sphere.centre), at.length(sphere.radius)};
 }
 inline RigidCylinder placed(const RigidCylinder& cylinder, const Placement& at) {
-  return {at.point(cylinder.point), at.direction(cylinder.axis), at.length(cylinder.radius)};
+  return {at.point(cylinder.point), at.direction(cylinder.axis), at.length(cylinder.radius),
+          at.length(cylinder.length)};
 }
 inline RigidSurface placed(RigidSurface surface, const Placement& at) {
   for (Eigen::Vector3d& x : surface.points) x = at.point(x);

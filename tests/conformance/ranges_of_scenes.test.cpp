@@ -174,7 +174,8 @@ TEST_CASE("conformance: wrong numbers of contacts are refused") {
   const auto frictionless = [](const auto& to) { return Contact{to}; };
   refuses(NodeToRigid{above, RigidPlane{far, up}, .1}, [](const auto& to) { return Contact{to, Coulomb{.3}}; });
   refuses(NodeToRigid{above, RigidSphere{{0, 0, -3}, 1}, .1}, frictionless);
-  refuses(NodeToRigid{above, RigidCylinder{{0, 0, -3}, {0, 1, 0}, 1}, .1}, frictionless);
+  refuses(NodeToRigid{above, RigidCylinder{{0, 0, -3}, {0, 1, 0}, 1, 2}, .1}, frictionless);
+  refuses(NodeToRigid{above, Carried{RigidSphere{{0, 0, -3}, 1}, Frame{}}, .1}, frictionless);
   refuses(NodeToRigid{above, RigidSurface{{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}}, {{{0, 2, 1, 1}, 0}}}, .1}, frictionless);
   refuses(TieStrength{1e9, 1e9}, [](const TieStrength& strength) { return Tied{beside, faces, strength}; });
 

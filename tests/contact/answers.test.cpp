@@ -43,7 +43,7 @@ namespace {
 using testing::nodes_on;
 const RigidPlane ground{{0, 0, 0}, {0, 0, 2}};
 const RigidSphere ball{{0, 0, -2}, 2};
-const RigidCylinder roll{{0, 0, -2}, {0, 3, 0}, 2};
+const RigidCylinder roll{{0, 0, -2}, {0, 3, 0}, 2}, short_roll{{0, -0.3, -2}, {0, 3, 0}, 2, 0.6};
 RigidSurface ridge() {
   const Mesh mesh = box({.lower = {-0.8, -0.8, -1}, .size = {1.6, 1.6, 1}, .cells = {3, 3, 1}});
   return {mesh.nodes, surface(mesh)};
@@ -64,6 +64,9 @@ TEST_CASE("conformance: RigidSphere, Penalty") { testing::answers_alike_on_rigid
 TEST_CASE("conformance: RigidCylinder") { testing::answers_alike_on_rigid(nodes_on(roll)); }
 TEST_CASE("conformance: RigidCylinder, Penalty, Coulomb") {
   testing::answers_alike_on_rigid(nodes_on(roll, Penalty{}, Coulomb{0.3}));
+}
+TEST_CASE("conformance: RigidCylinder that ends, Coulomb") {
+  testing::answers_alike_on_rigid(nodes_on(short_roll, Coulomb{0.3}));
 }
 TEST_CASE("conformance: RigidSurface, Coulomb") { testing::answers_alike_on_rigid(nodes_on(ridge(), Coulomb{0.3})); }
 TEST_CASE("conformance: RigidSurface, Penalty") { testing::answers_alike_on_rigid(nodes_on(ridge(), Penalty{})); }

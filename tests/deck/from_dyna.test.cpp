@@ -1,11 +1,13 @@
 // Cards of LS-DYNA as a scene, in sentences and in C++. That scenes and programs give the same bits is seen
 // where examples are built (tests/run examples), for each pair would have to be compiled.
+#include <numeric>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include <strike/deck/from_dyna.hpp>
 #include <strike/deck/program.hpp>
+#include <strike/dynamics/explicit.hpp>
 #include <strike/input/dyna.hpp>
 
 #include "deck/sentences.hpp"
@@ -19,7 +21,7 @@ using testing::has;
 namespace {
 
 /// Two cubes of one element, a plate under them, and further cards.
-DeckScene scene_of(const std::string& cards) {
+DynaDeck deck_of(const std::string& cards) {
   const std::string mesh = R"(*KEYWORD
 *NODE
 1,0,0,0
@@ -62,8 +64,9 @@ lower cube
 2,2,,5
 .1
 )";
-  return deck_scene(read_dyna(mesh + cards + "*END\n", "a.k"));
+  return read_dyna(mesh + cards + "*END\n", "a.k");
 }
+DeckScene scene_of(const std::string& cards) { return deck_scene(deck_of(cards)); }
 const std::string three_metals = R"(*MAT_ELASTIC
 1,7.8,200,.25
 *MAT_PLASTIC_KINEMATIC
@@ -533,12 +536,79 @@ TEST_CASE("deck: rigid walls that are round or end are obstacles of nodes") {
                      "Coulomb{}}"});
   CHECK(has(scene.becomes, "Rigid sphere of radius 3 about {1, 1, -9}"));
 
-  const std::string moving = "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-4,0,0,1\n5,1\n";
-  CHECK(has(scene_of(three_metals + ended + moving).cannot, "A rigid wall that moves is left out"));
+  const std::string no_mass = "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-4,0,0,1\n,1\n";
+  CHECK(has(scene_of(three_metals + ended + no_mass).cannot, "A rigid wall that moves is left out: it has no mass."));
   const std::string strip = "*RIGIDWALL_PLANAR_FINITE\n0\n0,0,-4,0,0,1\n1,0,-4,5,0\n";
   CHECK(has(scene_of(three_metals + ended + strip).cannot, "ends in one direction alone"));
   const std::string sticky = "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n1,1,-9,1,1,1,1\n3\n";
   CHECK(has(scene_of(three_metals + ended + sticky).cannot, "nodes stick has friction 0"));
+}
+
+TEST_CASE("deck: rigid walls that move are rigid bodies, and the program is the same") {
+  const DynaDeck deck = deck_of(three_metals + ended + R"(*RIGIDWALL_PLANAR_MOVING
+0
+0,0,-4,0,0,1
+5,-2
+*RIGIDWALL_PLANAR_FINITE_MOVING
+0
+0,0,-4,0,0,1,.3
+1,0,-4,5,6
+7,3
+*RIGIDWALL_GEOMETRIC_SPHERE_MOTION
+0
+1,1,-9,1,1,1,.2
+3
+3,1,0,0,4
+*RIGIDWALL_GEOMETRIC_CYLINDER_MOTION
+0
+0,0,-9,1,0,-9
+2,8
+2,0,3,0,0
+*DEFINE_CURVE
+2
+0,1
+2,3
+*DEFINE_CURVE
+3
+0,0
+2,2
+)");
+  const DeckScene scene = deck_scene(deck);
+  CHECK(scene.cannot == std::vector<std::string>{});
+  CHECK(scene.walls.empty());
+  CHECK(scene.nodes.size() == deck.mesh.nodes.size() + 16);
+  REQUIRE(scene.bodies.size() == 4);
+  REQUIRE(scene.obstacles.size() == 4);
+  CHECK(scene.obstacles[0].code ==
+        "Contact{NodeToRigid{deck.walls[0].nodes, Carried{RigidPlane{{0, 0, -4}, {0, 0, 1}}, frame_0}}, Coulomb{}}");
+  CHECK(has({scene.bodies[0].code}, "RigidBody{frame_0.nodes, Inertia{5, {0, 0, -4}, "));
+  CHECK(has({scene.bodies[0].code}, "}}}.moving({0, 0, -2})"));
+  CHECK(has({scene.bodies[2].code}, "BodyDisplacement{deck.obstacles[0].motion->direction, "));
+  CHECK(has({scene.bodies[3].code}, "BodyVelocity{deck.obstacles[1].motion->direction, "));
+  CHECK(has(scene.becomes, "of the length 8, driven along {1, 0, 0}"));
+
+  // A wall that strikes nothing keeps its velocity; what is driven follows its curve, u = t or v = 1 + t.
+  std::vector<Index> of_deck(deck.mesh.nodes.size());
+  std::iota(of_deck.begin(), of_deck.end(), Index{0});
+  std::vector<DeckBody> walls;
+  for (const auto& one : scene.bodies) walls.push_back(one.item);
+  Explicit run{
+      Scene{scene.nodes, walls, RigidBody{of_deck, Inertia{1, {0, 0, 0}, SymmetricTensor<double>::isotropic(1)}}},
+      ExplicitOptions{.largest_step = 1e-3, .print_warnings = false}};
+  const auto& bodies = run.nodes().bodies();
+  const std::vector<RigidMotion> before(bodies.begin(), bodies.begin() + 4);
+  run.until(0.5);
+  const auto moved = [&](std::size_t b) { return Eigen::Vector3d(bodies[b].centre() - before[b].centre()); };
+  CHECK(moved(0).isApprox(Eigen::Vector3d(0, 0, -1)));
+  CHECK(moved(1).isApprox(Eigen::Vector3d(0, 0, 1.5)));
+  CHECK(moved(2).isApprox(Eigen::Vector3d(0, 0, 0.5)));
+  CHECK(moved(3).isApprox(Eigen::Vector3d(0.625, 0, 0)));
+
+  const std::string program = program_of(scene, "my.k", "my");
+  CHECK(has({program}, "  std::vector<Eigen::Vector3d> nodes = deck.mesh.nodes;\n"));
+  CHECK(has({program}, "  const Frame frame_0 = add_frame(nodes, {0, 0, -4}, "));
+  CHECK(has({program}, "deck.walls[1].corners()) nodes.push_back(corner);"));
+  CHECK(has({program}, "  Explicit run{Scene{nodes,"));
 }
 
 TEST_CASE("deck: plates of other elements are told") {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -122,14 +123,14 @@ TEST_CASE("dyna walls: flats, cylinders and spheres") {
   const RigidCylinder& cylinder = std::get<RigidCylinder>(deck.obstacles[1].shape);
   CHECK(cylinder.axis == Eigen::Vector3d(0, 0, -1));
   CHECK(cylinder.radius == 4);
-  CHECK(deck.obstacles[1].length == 7);
+  CHECK(cylinder.length == 7);
   const WallMotion& motion = deck.obstacles[1].motion.value();
   CHECK(motion.displaces);
   CHECK(motion.direction.isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
   CHECK(motion.history(0.4) == 0);  // its curve begins with the wall, at 0.5
   CHECK(motion.history(1.5) == 2);
   CHECK(std::get<RigidCylinder>(deck.obstacles[2].shape).axis == Eigen::Vector3d(1, 0, 0));
-  CHECK(deck.obstacles[2].length == 0);
+  CHECK(std::isinf(std::get<RigidCylinder>(deck.obstacles[2].shape).length));
   REQUIRE(deck.walls.size() == 1);
   CHECK(deck.walls[0].normal == Eigen::Vector3d(0, 0, 1));
   CHECK(!deck.walls[0].motion->displaces);
@@ -138,7 +139,6 @@ TEST_CASE("dyna walls: flats, cylinders and spheres") {
   CHECK(deck.warnings ==
         std::vector<std::string>{
             "BIRTH of *RIGIDWALL_GEOMETRIC_CYLINDER_MOTION (1) had no effect: line 7.",
-            "LENCYL (a RigidCylinder is endless) of *RIGIDWALL_GEOMETRIC_CYLINDER_MOTION (1) had no effect: line 9.",
             "The motion (a RigidWall stands) of *RIGIDWALL_GEOMETRIC_CYLINDER_MOTION (1) had no effect: line 10.",
             "The motion (a RigidWall stands) of *RIGIDWALL_GEOMETRIC_FLAT_MOTION (1) had no effect: line 20.",
         });
@@ -155,6 +155,7 @@ TEST_CASE("dyna walls: what is wrong is told with its line") {
   refused("*RIGIDWALL_GEOMETRIC_PRISM\n", "*RIGIDWALL_GEOMETRIC_PRISM is not read: give FLAT, SPHERE or CYLINDER");
   refused("*RIGIDWALL_GEOMETRIC_SPHERE_INTERIOR\n", "touched from outside, or model it as a part that is rigid.");
   refused("*RIGIDWALL_PLANAR\n", "the normal of the wall has no length: give it a head that is not its tail.");
+  refused("*RIGIDWALL_GEOMETRIC_CYLINDER\n0\n0,0,0,0,0,1\n1,-2\n", "LENCYL of the wall is negative");
   refused("*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1,-.1\n", "FRIC of a wall is negative");
   refused("*RIGIDWALL_PLANAR_FINITE\n0\n0,0,0,0,0,1\n", "the edge of the wall has no length");
   refused("*RIGIDWALL_PLANAR_FINITE\n0\n0,0,0,0,0,1\n0,0,3\n", "the edge of the wall lies along its normal");

@@ -57,9 +57,15 @@ class ContactBodies {
   /// Change of the velocity of node i by the forces of this step.
   Eigen::Vector3d kicked_at(Index i, const Eigen::Vector3d& x) const { return all_[of(i)].motion->kicked_at(x); }
 
-  /// RigidMotion::response of body b.
+  /// RigidMotion::response of body b; 0 if its guides take all but rounding.
   double response(std::size_t b, const Eigen::Vector3d& impulse, const Eigen::Vector3d& of_moment) const {
-    return all_[b].motion->response(impulse, of_moment);
+    const RigidMotion& body = *all_[b].motion;
+    const double guided = body.response(impulse, of_moment);
+    return guided > 1e-9 * body.largest_response(impulse.norm(), of_moment.norm()) ? guided : 0;
+  }
+  /// No smaller than what an impulse on node i changes its velocity, along itself.
+  double largest_response(Index i, const Eigen::Vector3d& x) const {
+    return all_[of(i)].motion->largest_guided_response((x - centre(i)).norm());
   }
   /// An impulse on node i changes the velocities of all nodes of its body.
   void nudge(Index i, const Eigen::Vector3d& impulse, const std::vector<Eigen::Vector3d>& x,

@@ -148,8 +148,12 @@ class ContactNodes {
     if (is_rigid(i)) return bodies_.response(bodies_.of(i), a, cross(Eigen::Vector3d(x[i] - bodies_.centre(i)), a));
     return held_[i] < 0 ? inverse_mass_[i] : inverse_mass_[i] * free(i, a).dot(a);
   }
-  /// Of a node of a rigid body no smaller than along any vector.
+  /// Of a node of a rigid body no smaller than along any vector, as if the body had no guides.
   double inverse_mass(Index i) const { return inverse_mass_[i]; }
+  /// No smaller than inverse_mass_along any vector at the start.
+  double largest_inverse_mass(Index i) const {
+    return is_rigid(i) ? bodies_.largest_response(i, x[i]) : inverse_mass_[i];
+  }
   /// It belongs to a rigid body, whose nodes all move by its impulses.
   bool is_rigid(Index i) const { return bodies_.has(i); }
   const detail::ContactBodies& bodies() const { return bodies_; }
@@ -315,13 +319,14 @@ struct ContactPair {
   Eigen::Vector3d kicked(const ContactNodes& all) const { return sum(all.kicked); }
   /// 1/m* = sum of w_I^2/m_I along a unit vector [1/mass]; 0 if conditions hold all its nodes.
   double inverse_effective_mass_along(const ContactNodes& all, const Eigen::Vector3d& a) const {
-    double along = on_bodies(all, a).response(all.bodies()), free = 0;
+    double along = 0, free = 0;
     for (unsigned i = 0; i < count; ++i) {
+      if (all.is_rigid(nodes[i])) continue;
       const double share = weights[i] * weights[i];
       free += share * all.inverse_mass(nodes[i]);
-      if (!all.is_rigid(nodes[i])) along += share * all.inverse_mass_along(nodes[i], a);
+      along += share * all.inverse_mass_along(nodes[i], a);
     }
-    return along > 1e-6 * free ? along : 0;
+    return (along > 1e-6 * free ? along : 0) + on_bodies(all, a).response(all.bodies());
   }
   /// A unit impulse along a unit vector, as far as rigid bodies get it.
   detail::ContactBodies::Impulses on_bodies(const ContactNodes& all, const Eigen::Vector3d& a) const {
@@ -330,12 +335,14 @@ struct ContactPair {
       if (all.is_rigid(nodes[i])) impulses.add(all.bodies(), nodes[i], all.x[nodes[i]], weights[i] * a);
     return impulses;
   }
-  /// The square of the least stable step of the cells at its nodes [time^2].
+  /// The square of the least stable step of the cells at its nodes [time^2]; of rigid bodies alone that of the
+  /// elements.
   double squared_step(const ContactNodes& all) const {
     double least = std::numeric_limits<double>::infinity();
     for (unsigned i = 0; i < count; ++i)
-      if (all.inverse_mass(nodes[i]) > 0) least = std::min(least, all.squared_step(nodes[i]));
-    return least;
+      if (all.inverse_mass(nodes[i]) > 0 && !all.is_rigid(nodes[i]))
+        least = std::min(least, all.squared_step(nodes[i]));
+    return std::isinf(least) ? all.squared_step(nodes[0]) : least;
   }
   /// Gives the pair a normal impulse J [force time].
   void push(ContactNodes& all, double J) {

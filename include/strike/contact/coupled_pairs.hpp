@@ -27,8 +27,8 @@ class CoupledPairs {
  public:
   template <class Execution>
   CoupledPairs(std::span<const ContactPair> pairs, const ContactNodes& nodes, const Execution& execution)
-      : nodes_(nodes), rows_(pairs.size()) {
-    number_nodes(pairs);
+      : nodes_(nodes), pairs_(pairs), rows_(pairs.size()) {
+    number_nodes();
     velocity_.resize(number_.size());
     for_each_chunk(execution, number_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) velocity_[k] << nodes.v[number_[k]], nodes.inverse_mass(number_[k]);
@@ -155,38 +155,62 @@ class CoupledPairs {
   template <bool along_normals, class Execution>
   std::vector<double> responses(const Execution& execution) {
     std::vector<double> of_pair(rows_.size()), at_node(number_.size(), 0.0);
+    const std::vector<OnBody> on_bodies = responses_of_bodies<along_normals>();
+    for (const OnBody& on : on_bodies) of_pair[on.pair] += on.response * on.response;
     each(execution, [&](std::size_t p) {
       double own = 0, free = 0;
       each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
-        own += a * a, free += rows_[p].weights[k] * rows_[p].weights[k] * velocity_[rows_[p].nodes[k]][3];
+        own += a * a;
+        if (!is_rigid(rows_[p].nodes[k]))
+          free += rows_[p].weights[k] * rows_[p].weights[k] * velocity_[rows_[p].nodes[k]][3];
       });
-      of_pair[p] = own > 1e-6 * free && rows_[p].yields ? own : 0;
+      of_pair[p] = rows_[p].yields ? of_pair[p] + (own > 1e-6 * free ? own : 0) : 0;
       if (of_pair[p] > 0)
-        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
-          if (!is_rigid(rows_[p].nodes[k])) at_node[rows_[p].nodes[k]] += a / own;
-        });
+        each_response<along_normals>(rows_[p],
+                                     [&](std::size_t k, double a) { at_node[rows_[p].nodes[k]] += a / of_pair[p]; });
     });
-    // Of a rigid body all pairs share each node.
-    std::vector<double> at_body(nodes_.bodies().all().size(), 0.0);
-    each_on_bodies([&](std::size_t p) {
-      if (of_pair[p] > 0)
-        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
-          if (is_rigid(rows_[p].nodes[k])) at_body[nodes_.bodies().of(number_[rows_[p].nodes[k]])] += a / of_pair[p];
-        });
-    });
-    for (std::size_t k = 0; k < number_.size(); ++k)
-      if (is_rigid(static_cast<Index>(k))) at_node[k] = at_body[nodes_.bodies().of(number_[k])];
+    std::vector<double> at_body(nodes_.bodies().all().size(), 0.0),
+        by_bodies(on_bodies.empty() ? 0 : rows_.size(), 0.0);
+    for (const OnBody& on : on_bodies)
+      if (of_pair[on.pair] > 0) at_body[on.body] += on.response / of_pair[on.pair];
+    for (const OnBody& on : on_bodies) by_bodies[on.pair] += on.response * at_body[on.body];
     side_by_side(execution, blocks(), [&](std::size_t b) {
       each_of_block(b, [&](std::size_t p) {
-        double sum = 0;
+        double sum = by_bodies.empty() ? 0 : by_bodies[p];
         each_response<along_normals>(rows_[p], [&](std::size_t k, double a) { sum += a * at_node[rows_[p].nodes[k]]; });
         of_pair[p] *= sum;
       });
     });
     return of_pair;
   }
+  /// The root of the velocity that a unit impulse on a pair, along its normal or in any direction, gives it by moving a
+  /// rigid body.
+  struct OnBody {
+    std::size_t pair, body;
+    double response;
+  };
+  template <bool along_normals>
+  std::vector<OnBody> responses_of_bodies() const {
+    std::vector<OnBody> all;
+    each_on_bodies([&](std::size_t p) {
+      const auto along = [&](const Eigen::Vector3d& a, const auto& f) {
+        pairs_[p].on_bodies(nodes_, a).each_response(nodes_.bodies(), f);
+      };
+      const std::size_t first = all.size();
+      along(pairs_[p].normal, [&](std::size_t b, double response) { all.push_back({p, b, response}); });
+      if constexpr (!along_normals) {  // the trace bounds the largest
+        for (std::size_t k = first; k < all.size(); ++k) all[k].response = 0;
+        for (const int axis : {0, 1, 2}) {
+          std::size_t k = first;
+          along(Eigen::Vector3d::Unit(axis), [&](std::size_t, double response) { all[k++].response += response; });
+        }
+      }
+      for (std::size_t k = first; k < all.size(); ++k) all[k].response = std::sqrt(all[k].response);
+    });
+    return all;
+  }
   /// Calls f(k, |w| sqrt(1/m)) for the nodes of a pair, with the 1/m that conditions leave along its normal, or in any
-  /// direction.
+  /// direction; 0 of nodes of rigid bodies.
   template <bool along_normals, class F>
   void each_response(const Row& row, const F& f) const {
     for (std::size_t k = 0; k < 5; ++k) {
@@ -194,7 +218,7 @@ class CoupledPairs {
       if (row.is_held) {
         const Index node = number_[row.nodes[k]];
         if (nodes_.is_rigid(node))
-          ;  // the largest of all directions
+          inverse_mass = 0;
         else if (along_normals)
           inverse_mass = nodes_.inverse_mass_along(node, row.normal.template head<3>());
         else if (nodes_.is_held_fast(node))
@@ -263,7 +287,7 @@ class CoupledPairs {
 
   /// Sets the rows, and the colour of each block: the first that no block before it with a node of its own has. Blocks
   /// that find none follow one by one.
-  void number_nodes(std::span<const ContactPair> pairs) {
+  void number_nodes() {
     constexpr std::size_t most_colours = 64;
     constexpr Index none = std::numeric_limits<Index>::max();
     std::vector<Index> place(nodes_.size(), none);
@@ -271,7 +295,7 @@ class CoupledPairs {
     for (std::size_t b = 0; b < blocks(); ++b) {
       std::uint64_t around = 0;
       for (std::size_t p = first(b); p < last(b); ++p) {
-        const ContactPair& pair = pairs[p];
+        const ContactPair& pair = pairs_[p];
         Row& row = rows_[p];
         row.normal << pair.normal, 0;
         row.weights = pair.weights, row.is_held = row.is_on_body = false, row.yields = true;
@@ -299,6 +323,7 @@ class CoupledPairs {
   }
 
   const ContactNodes& nodes_;
+  std::span<const ContactPair> pairs_;
   std::vector<Row> rows_;
   std::vector<Index> number_;              // of the nodes of the pairs, each once
   std::vector<Eigen::Vector4d> velocity_;  // of each of them, and 1/m

@@ -38,8 +38,8 @@ class NearFaces {
     for (const Index s : search_.awake()) {
       double corner = 0;
       for (const Index f : search_.near(s))
-        for (const Index i : target.faces()[f]) corner = std::max(corner, all.inverse_mass(i));
-      largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(nodes[s]) + corner);
+        for (const Index i : target.faces()[f]) corner = std::max(corner, all.largest_inverse_mass(i));
+      largest_inverse_mass_ = std::max(largest_inverse_mass_, all.largest_inverse_mass(nodes[s]) + corner);
     }
   }
   /// Searches again if nodes and faces may have moved by the margin at the end of a step.

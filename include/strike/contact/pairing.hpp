@@ -10,6 +10,7 @@
 
 #include <strike/ascending.hpp>
 #include <strike/contact/approach.hpp>
+#include <strike/contact/carried.hpp>
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/edge_approach.hpp>
@@ -287,7 +288,7 @@ struct Everything {
 };
 
 /// The pairing of nodes with a rigid body: a RigidPlane, RigidSphere, RigidCylinder, RigidSurface or your own
-/// RigidObstacle. Errors of a RigidSurface: no faces; a face names a point that is not there.
+/// RigidObstacle, at rest or Carried. Errors of a RigidSurface: no faces; a face names a point that is not there.
 template <class Body>
 struct NodeToRigid {
   std::vector<Index> nodes;
@@ -299,12 +300,17 @@ struct NodeToRigid {
     number(body);
   }
 
-  std::vector<Index> numbers() const { return detail::ascending(nodes); }
+  std::vector<Index> numbers() const {
+    if constexpr (requires { body.frame; })
+      return detail::ascending(nodes, body.frame.nodes);
+    else
+      return detail::ascending(nodes);
+  }
   const std::vector<Index>& first() const { return nodes; }
   auto start(const ContactNodes& all) const
     requires RigidObstacle<Body>
   {
-    return detail::RigidApproach<Body>{detail::to_local(numbers(), all), body, 0.5 * thickness};
+    return detail::RigidApproach<Body>{detail::to_local(detail::ascending(nodes), all), body, 0.5 * thickness};
   }
 };
 template <>

@@ -1,5 +1,7 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,21 +47,31 @@ struct RigidSphere {
   }
 };
 
-/// An endless cylinder about the line through `point` along `axis`, of any length, touched from outside.
+/// A cylinder about the line through `point` along `axis`, of any length, touched from outside: endless, or from the
+/// point along the axis as long as `length`, with flat ends.
 struct RigidCylinder {
   Eigen::Vector3d point, axis;
-  double radius;  ///< [length]
+  double radius;                                            ///< [length]
+  double length = std::numeric_limits<double>::infinity();  ///< [length]
 
   void ranges(const auto& number) const {
     number("point", point, range::point);
     number("axis", axis, range::direction);
     number("radius", radius, range::positive);
+    number("length", length, range::or_infinite(range::positive));
   }
 
   Clearance clearance(const Eigen::Vector3d& x) const {
     using namespace detail;
     const Eigen::Vector3d a = direction(axis), r = x - point;
-    return RigidSphere{{0, 0, 0}, radius}.clearance(r - a.dot(r) * a);
+    const double along = a.dot(r);
+    const Clearance side = RigidSphere{{0, 0, 0}, radius}.clearance(r - along * a);
+    if (std::isinf(length)) return side;
+    const double beyond = std::abs(along - 0.5 * length) - 0.5 * length;  // an end
+    const Clearance end{beyond, along < 0.5 * length ? Eigen::Vector3d(-a) : a};
+    if (!(side.gap > 0 && beyond > 0)) return side.gap > beyond ? side : end;
+    const Eigen::Vector3d from_edge = side.gap * side.normal + beyond * end.normal;
+    return {from_edge.norm(), direction(from_edge)};
   }
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/contact/carried.hpp>
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/spacing.hpp>
@@ -19,16 +20,20 @@ class RigidApproach {
  public:
   /// `depth` is half the thickness of the nodes' plate, 0 of solids [length].
   RigidApproach(std::vector<Index> nodes, Body body, double depth)
-      : nodes_(std::move(nodes)), body_(std::move(body)), depth_(depth), touches_(nodes_.size()) {}
+      : nodes_(std::move(nodes)), body_(std::move(body)), depth_(depth) {}
 
   void begin(const ContactNodes& all, InitialPenetration& inside) {
+    body_.begin(all);
+    std::erase_if(nodes_, [&](Index i) { return body_.is_of(all, i); });
+    touches_.resize(nodes_.size());
     std::vector<Eigen::Vector3d> x;
     for (const Index i : nodes_) x.push_back(all.x[i]);
     cells_ = spacing(x);
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       const Index i = nodes_[s];
-      largest_inverse_mass_ = std::max(largest_inverse_mass_, all.inverse_mass(i));
-      const auto [distance, normal] = body_.clearance(all.x[i]);
+      largest_inverse_mass_ =
+          std::max(largest_inverse_mass_, all.largest_inverse_mass(i) + body_.inverse_mass(all, all.x[i]));
+      const auto [distance, normal] = body_.clearance(all, all.x[i]);
       const double gap = distance - depth_;
       if (!(gap < 0)) continue;
       touches_[s].initial_depth = -gap;
@@ -42,28 +47,31 @@ class RigidApproach {
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs) {
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       const Index i = nodes_[s];
-      const auto [distance, normal] = body_.clearance(all.x[i]);
+      const auto [distance, normal] = body_.clearance(all, all.x[i]);
       const double height = distance - depth_;
       RigidTouch& touch = touches_[s];
       touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
       const double gap = height + touch.initial_depth;
       check_depth(all.number(i), all.x[i], -gap, cells_[s]);
-      if (gap > 0 && (gap + step.dt * normal.dot(all.v[i]) >= 0 || !meets(all.x[i], gap, step.dt * all.v[i]))) {
+      const Eigen::Vector3d v = all.v[i] - body_.velocity(all, all.x[i]);
+      if (gap > 0 && (gap + step.dt * normal.dot(v) >= 0 || !meets(all, all.x[i], gap, step.dt * v))) {
         touch.stored = 0, touch.friction.setZero();
         continue;
       }
       pairs.emplace_back(normal, gap);
-      pairs.back().add(i, 1), remember(pairs.back(), touch);
+      pairs.back().add(i, 1), body_.add_to(pairs.back(), all, all.x[i]), remember(pairs.back(), touch);
     }
   }
   double closing_step(const ContactNodes& all, double moved, double dt) const {
     double step = dt;
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
-      const Eigen::Vector3d &v = all.v[nodes_[s]], x = all.x[nodes_[s]] + moved * v;
+      const Eigen::Vector3d x = all.x[nodes_[s]] + moved * all.v[nodes_[s]];  // the obstacle has moved already
+      const Eigen::Vector3d v = all.v[nodes_[s]] - body_.velocity(all, x);
       if (!(dt * v.norm() > closing_share * cells_[s])) continue;
-      const auto [distance, normal] = body_.clearance(x);
+      const auto [distance, normal] = body_.clearance(all, x);
       const double gap = distance - depth_, closing = -normal.dot(v);
-      if (closing > 0 && closing * dt > gap && (gap < 0 || meets(x, gap, dt * v)))  // inside, springs let it deeper
+      if (closing > 0 && closing * dt > gap &&
+          (gap < 0 || meets(all, x, gap, dt * v)))  // inside, springs let it deeper
         step = std::min(step, detail::closing_step(gap, closing, cells_[s]));
     }
     return step;
@@ -77,13 +85,13 @@ class RigidApproach {
 
  private:
   /// True if the node meets the body on its way, followed by steps of the distance (sphere tracing, Hart 1996).
-  bool meets(const Eigen::Vector3d& x, double gap, const Eigen::Vector3d& way) const {
+  bool meets(const ContactNodes& all, const Eigen::Vector3d& x, double gap, const Eigen::Vector3d& way) const {
     const double length = way.norm();
     double gone = 0;
     for (int i = 0; i < 50 && gone <= length; ++i) {
       if (gap < 1e-3 * length) return true;
       gone += gap;
-      gap = body_.clearance(x + (gone / length) * way).gap - depth_;
+      gap = body_.clearance(all, x + (gone / length) * way).gap - depth_;
     }
     return gone <= length;
   }
@@ -101,7 +109,7 @@ class RigidApproach {
   };
 
   std::vector<Index> nodes_;
-  Body body_;
+  ObstacleInMotion<Body> body_;
   double depth_;
   std::vector<RigidTouch> touches_;
   std::vector<double> cells_;  // their size at each node [length]

@@ -20,7 +20,10 @@
 #include <strike/deck/scene.hpp>
 #include <strike/error.hpp>
 #include <strike/input/dyna_cards.hpp>
+#include <strike/mesh/frame.hpp>
+#include <strike/mesh/inertia.hpp>
 #include <strike/mesh/measure.hpp>
+#include <strike/mesh/select.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -69,7 +72,7 @@ class FromDyna {
       if (deck.contacts[i].is_tied()) add_tie(i);
     add_contacts();
     for (const std::string& warning : deck.warnings)
-      if (warning.find("(a RigidWall has no edges)") == warning.npos)  // told where the wall is
+      if (warning.find("(a RigidWall ") == warning.npos)  // told where the wall is
         (is_harmless(warning) ? made_.replaced : made_.cannot).push_back(warning);
   }
   DeckScene made() { return std::move(made_); }
@@ -623,50 +626,136 @@ class FromDyna {
   }
   void add_wall(std::size_t i) {
     const WallCard& card = deck_.walls[i];
-    if (card.motion || card.mass != 0 || card.speed != 0) {
-      cannot({"A rigid wall that moves is left out."});
-      return;
-    }
-    if (card.edges && (card.edges->length > 0 || card.edges->width > 0)) {
-      add_finite_wall(i);
-      return;
-    }
-    if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
-    made_.walls.push_back({RigidWall{card.point, card.normal, card.nodes, card.friction},
-                           joined({"RigidWall{", code_of(card.point), ", ", code_of(card.normal), ", deck.walls[",
-                                   std::to_string(i), "].nodes, ", code_of(card.friction), "}"})});
-    becomes({"Rigid wall at ", code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
-             code_of(card.friction)});
-  }
-
-  void add_finite_wall(std::size_t i) {
-    const WallCard& card = deck_.walls[i];
     const std::string of = joined({"deck.walls[", std::to_string(i), "]"});
+    const bool moves = card.motion || card.mass != 0 || card.speed != 0;
+    if (moves && !card.motion && !(card.mass > 0)) {
+      cannot({"A rigid wall that moves is left out: it has no mass."});
+      return;
+    }
+    const std::string kind = joined({"Rigid wall ", moves ? "that moves " : ""});
+    const std::string told = joined({code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
+                                     code_of(card.friction), moves ? way_of(card) : ""});
+    const bool ends = card.edges && (card.edges->length > 0 || card.edges->width > 0);
     const std::vector<Eigen::Vector3d> corners = card.corners();
-    if (corners.empty()) {
+    const std::string plane = joined({"RigidPlane{", code_of(card.point), ", ", code_of(card.normal), "}"});
+    if (ends && corners.empty()) {
       cannot({"A rigid wall that ends in one direction alone is left out: give it LENL and LENM."});
       return;
     }
-    add_obstacle(card.nodes, RigidSurface{corners, {Face{{0, 1, 2, 3}, 0}}}, card, of,
-                 joined({"RigidSurface{", of, ".corners(), {Face{{0, 1, 2, 3}, 0}}}"}));
-    becomes({"Rigid wall with four edges from ", code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
-             code_of(card.friction)});
+    if (ends && moves) {
+      const auto first = static_cast<Index>(made_.nodes.size());
+      made_.nodes.insert(made_.nodes.end(), corners.begin(), corners.end());
+      made_.more_nodes.push_back(
+          joined({"for (const Eigen::Vector3d& corner : ", of, ".corners()) nodes.push_back(corner);"}));
+      const std::vector<Index> own{first, first + 1, first + 2, first + 3};
+      const std::string numbers = joined({std::to_string(first), ", ", std::to_string(first + 1), ", ",
+                                          std::to_string(first + 2), ", ", std::to_string(first + 3)});
+      add_mover(card, own, joined({"std::vector<Index>{", numbers, "}"}), 0.5 * (corners[0] + corners[2]),
+                (corners[2] - corners[0]).norm());
+      if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
+      made_.obstacles.push_back(
+          {Contact{NodeToSurface{card.nodes, Surface{{Face{{own[0], own[1], own[2], own[3]}, 0}}}},
+                   Coulomb{card.friction}},
+           joined({"Contact{NodeToSurface{", of, ".nodes, Surface{{Face{{", numbers, "}, 0}}}}, ",
+                   code_of(Coulomb{card.friction}), "}"})});
+    } else if (ends) {
+      add_obstacle(card.nodes, RigidSurface{corners, {Face{{0, 1, 2, 3}, 0}}}, card, of,
+                   joined({"RigidSurface{", of, ".corners(), {Face{{0, 1, 2, 3}, 0}}}"}));
+    } else if (moves) {
+      add_carried(card, RigidPlane{card.point, card.normal}, of, plane, card.point, 0.5 * extent());
+    } else {
+      if (card.sticks) cannot({"A rigid wall to which nodes stick has friction 0."});
+      made_.walls.push_back({RigidWall{card.point, card.normal, card.nodes, card.friction},
+                             joined({"RigidWall{", code_of(card.point), ", ", code_of(card.normal), ", ", of,
+                                     ".nodes, ", code_of(card.friction), "}"})});
+    }
+    becomes({kind, ends ? "with four edges from " : "at ", told});
   }
   void add_obstacle(std::size_t i) {
     const ObstacleCard& card = deck_.obstacles[i];
-    if (card.motion) {
-      cannot({"A rigid sphere or cylinder that moves is left out."});
+    const std::string of = joined({"deck.obstacles[", std::to_string(i), "]"});
+    const auto add = [&](const auto& shape, const char* type, const Eigen::Vector3d& centre) {
+      const std::string code = joined({"std::get<", type, ">(", of, ".shape)"});
+      if (card.motion)
+        add_carried(card, shape, of, code, centre, shape.radius);
+      else
+        add_obstacle(card.nodes, shape, card, of, code);
+    };
+    const std::string way = card.motion ? way_of(card) : "";
+    if (const auto* const sphere = std::get_if<RigidSphere>(&card.shape)) {
+      add(*sphere, "RigidSphere", sphere->centre);
+      becomes({"Rigid sphere of radius ", code_of(sphere->radius), " about ", code_of(sphere->centre), way});
+    } else if (const auto* const cylinder = std::get_if<RigidCylinder>(&card.shape)) {
+      add(*cylinder, "RigidCylinder", cylinder->point);
+      becomes({"Rigid cylinder of radius ", code_of(cylinder->radius), " about ", code_of(cylinder->point), " along ",
+               code_of(cylinder->axis),
+               std::isinf(cylinder->length) ? "" : joined({", of the length ", code_of(cylinder->length)}), way});
+    }
+  }
+  static std::string way_of(const auto& card) {
+    if (card.motion) return joined({", driven along ", code_of(card.motion->direction)});
+    if constexpr (requires { card.mass; })
+      return joined({", of the mass ", code_of(card.mass), ", at the speed ", code_of(card.speed)});
+    else
+      return {};
+  }
+  /// The diagonal of the box around all nodes of the deck.
+  double extent() const {
+    Eigen::Vector3d lower = deck_.mesh.nodes.front(), upper = lower;
+    for (const Eigen::Vector3d& x : deck_.mesh.nodes) lower = lower.cwiseMin(x), upper = upper.cwiseMax(x);
+    return (upper - lower).norm();
+  }
+  /// The rigid body that a wall is: it has the mass of the wall and moves along the normal, or is driven.
+  template <class Card>
+  void add_mover(const Card& card, const std::vector<Index>& nodes, const std::string& code,
+                 const Eigen::Vector3d& centre, double size) {
+    double mass = 1e-9;  // of a wall that is driven; it counts nowhere
+    Eigen::Vector3d way{0, 0, 0}, velocity = way;
+    if (card.motion) way = card.motion->direction;
+    if constexpr (requires { card.mass; })
+      if (!card.motion) {
+        mass = card.mass, way = card.normal, velocity += card.speed * card.normal;  // never -0
+        if (!deck_.body_loads.empty()) replaced({"*LOAD_BODY acts on the rigid wall that has a mass, too."});
+      }
+    Eigen::Index least = 0;
+    way.cwiseAbs().minCoeff(&least);
+    const Eigen::Vector3d aside = way.cross(Eigen::Vector3d::Unit(least)).normalized();
+    const HeldBody held{{aside, way.cross(aside)}, {unit(Axis::x), unit(Axis::y), unit(Axis::z)}};
+    const double moment = mass * size * size;
+    const Inertia own{mass, centre, SymmetricTensor<double>::isotropic(moment)};
+    const std::string body = joined({"RigidBody{", code, ", Inertia{", code_of(mass), ", ", code_of(centre),
+                                     ", SymmetricTensor<double>::isotropic(", code_of(moment), ")}, HeldBody{",
+                                     code_of(held.directions()), ", ", code_of(held.axes()), "}"});
+    if (!card.motion) {
+      made_.bodies.push_back(
+          {RigidBody{nodes, own, held}.moving(velocity), joined({body, "}.moving(", code_of(velocity), ")"})});
       return;
     }
-    const std::string of = joined({"deck.obstacles[", std::to_string(i), "]"});
-    if (const auto* const sphere = std::get_if<RigidSphere>(&card.shape)) {
-      add_obstacle(card.nodes, *sphere, card, of, joined({"std::get<RigidSphere>(", of, ".shape)"}));
-      becomes({"Rigid sphere of radius ", code_of(sphere->radius), " about ", code_of(sphere->centre)});
-    } else if (const auto* const cylinder = std::get_if<RigidCylinder>(&card.shape)) {
-      add_obstacle(card.nodes, *cylinder, card, of, joined({"std::get<RigidCylinder>(", of, ".shape)"}));
-      becomes({"Rigid cylinder of radius ", code_of(cylinder->radius), " about ", code_of(cylinder->point), " along ",
-               code_of(cylinder->axis)});
-    }
+    const std::string motion = joined({std::is_same_v<Card, WallCard> ? "deck.walls[" : "deck.obstacles[",
+                                       std::to_string(number_of(card)), "].motion"});
+    const auto with = [&](const char* name, const auto& guide) {
+      made_.bodies.push_back({RigidBody{nodes, own, held, guide},
+                              joined({body, ", ", name, "{", motion, "->direction, ", motion, "->history}}"})});
+    };
+    if (card.motion->displaces)
+      with("BodyDisplacement", BodyDisplacement{card.motion->direction, card.motion->history});
+    else
+      with("BodyVelocity", BodyVelocity{card.motion->direction, card.motion->history});
+  }
+  std::size_t number_of(const WallCard& card) const { return static_cast<std::size_t>(&card - deck_.walls.data()); }
+  std::size_t number_of(const ObstacleCard& card) const {
+    return static_cast<std::size_t>(&card - deck_.obstacles.data());
+  }
+  /// An obstacle that a rigid body of its own carries.
+  template <class Body, class Card>
+  void add_carried(const Card& card, const Body& body, const std::string& of, const std::string& code,
+                   const Eigen::Vector3d& centre, double size) {
+    const std::string name = joined({"frame_", std::to_string(frames_++)});
+    const Frame frame = add_frame(made_.nodes, centre, size);
+    made_.more_nodes.push_back(
+        joined({"const Frame ", name, " = add_frame(nodes, ", code_of(centre), ", ", code_of(size), ");"}));
+    add_mover(card, frame.nodes, name + ".nodes", centre, size);
+    add_obstacle(card.nodes, Carried{body, frame}, card, of, joined({"Carried{", code, ", ", name, "}"}));
   }
   template <class Body, class Card>
   void add_obstacle(const std::vector<Index>& nodes, const Body& body, const Card& card, const std::string& of,
@@ -847,6 +936,7 @@ class FromDyna {
 
   const DynaDeck& deck_;
   DeckScene made_;
+  std::size_t frames_ = 0;  // of walls that move
   std::vector<std::vector<FileNumber>>
       owners_;  // of each part of the scene, then of each outside of a body: of the deck
 };

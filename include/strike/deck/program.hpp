@@ -33,6 +33,8 @@ class DeckProgram {
     std::set<std::string> known;
     for (const StatedPart& part : scene.parts)
       if (known.insert(part.name).second) add_wrapped({"  const auto ", part.name, " = ", part.material, ";"}, 6);
+    if (!scene.more_nodes.empty()) add({"  std::vector<Eigen::Vector3d> nodes = deck.mesh.nodes;"});
+    for (const std::string& line : scene.more_nodes) add_wrapped({"  ", line}, 6);
     add({});
 
     std::vector<std::string> items;
@@ -43,7 +45,7 @@ class DeckProgram {
     add_codes(scene.motions, items), add_codes(scene.body_forces, items), add_codes(scene.nodal_forces, items);
     add_codes(scene.pressures, items), add_codes(scene.blasts, items), add_codes(scene.walls, items);
     add_codes(scene.obstacles, items), add_codes(scene.ties, items), add_codes(scene.contacts, items);
-    add({"  Explicit run{Scene{deck.mesh.nodes,"});
+    add({"  Explicit run{Scene{", scene.more_nodes.empty() ? "deck.mesh.nodes" : "nodes", ","});
     for (std::size_t i = 0; i < items.size(); ++i)
       add_wrapped({"                     ", items[i], i + 1 < items.size() ? "," : "},"}, 25);
     add({"               {.step_factor = ", code_of(scene.options.step_factor), "}};"});

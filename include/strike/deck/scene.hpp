@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/contact/carried.hpp>
 #include <strike/contact/contact.hpp>
 #include <strike/contact/friction.hpp>
 #include <strike/contact/law.hpp>
@@ -88,9 +89,11 @@ using DeckMotion = std::variant<PrescribedVelocity<CardHistory>, PrescribedDispl
 using DeckContact = Contact<Everything, Penalty, Coulomb>;
 template <class Body>
 using DeckContactWith = decltype(Contact{NodeToRigid{std::vector<Index>{}, std::declval<Body>()}, Coulomb{}});
-/// A rigid wall that is round, or ends.
+/// A rigid wall that is round, ends or moves.
 using DeckObstacle =
-    std::variant<DeckContactWith<RigidSphere>, DeckContactWith<RigidCylinder>, DeckContactWith<RigidSurface>>;
+    std::variant<DeckContactWith<RigidSphere>, DeckContactWith<RigidCylinder>, DeckContactWith<RigidSurface>,
+                 DeckContactWith<Carried<RigidPlane>>, DeckContactWith<Carried<RigidSphere>>,
+                 DeckContactWith<Carried<RigidCylinder>>, Contact<NodeToSurface, Kinematic, Coulomb>>;
 
 /// An item of a deck's scene with the C++ that makes it.
 template <class Item>
@@ -114,7 +117,8 @@ struct StatedMaterial {
 /// deck, and sentences for its user.
 struct DeckScene {
   std::string title;
-  std::vector<Eigen::Vector3d> nodes;
+  std::vector<Eigen::Vector3d> nodes;        ///< those of the deck, and behind them those of walls that move
+  std::vector<std::string> more_nodes = {};  ///< lines of C++ that append these to `nodes`
   std::vector<StatedMaterial> materials = {};
   std::vector<StatedPart> parts = {};
   std::vector<Stated<DeckBody>> bodies = {};

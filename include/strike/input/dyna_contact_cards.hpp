@@ -33,7 +33,7 @@ struct WallMotion {
 
 /// *RIGIDWALL_PLANAR, with _FINITE and _MOVING, and *RIGIDWALL_GEOMETRIC_FLAT, with _MOTION:
 /// `RigidWall{w.point, w.normal, w.nodes, w.friction}`, or a finite one as `RigidSurface{w.corners(), {Face{{0, 1, 2,
-/// 3}, 0}}}`.
+/// 3}, 0}}}`; what moves is `Carried`.
 struct WallCard {
   Eigen::Vector3d point, normal;  ///< the normal of length 1
   std::vector<Index> nodes;
@@ -51,14 +51,13 @@ struct WallCard {
   }
 };
 
-/// *RIGIDWALL_GEOMETRIC_SPHERE and _CYLINDER, with _MOTION: `Contact{NodeToRigid{o.nodes,
-/// std::get<RigidSphere>(o.shape)}, Coulomb{o.friction}}`.
+/// *RIGIDWALL_GEOMETRIC_SPHERE and _CYLINDER, which LENCYL ends, with _MOTION: `Contact{NodeToRigid{o.nodes,
+/// std::get<RigidSphere>(o.shape)}, Coulomb{o.friction}}`; what moves is `Carried`.
 struct ObstacleCard {
   std::variant<RigidSphere, RigidCylinder> shape;
   std::vector<Index> nodes;
-  double friction;      ///< FRIC
-  bool sticks = false;  ///< FRIC 1 and 3: no sliding
-  double length = 0;    ///< LENCYL, from the point of a cylinder along its axis, 0 for no end [length]
+  double friction;                        ///< FRIC
+  bool sticks = false;                    ///< FRIC 1 and 3: no sliding
   std::optional<WallMotion> motion = {};  ///< MOTION
 };
 

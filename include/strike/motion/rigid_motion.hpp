@@ -69,7 +69,15 @@ class RigidMotion {
     return impulse.dot(velocity_by(impulse)) + of_moment.dot(spin_by(of_moment));
   }
   /// No smaller than what an impulse changes the velocity of a point at this distance from the centre [1/mass].
-  double largest_response(double distance) const { return 1 / mass_ + distance * distance * trace(inverse_); }
+  double largest_response(double distance) const { return largest_response(1, distance); }
+  /// The same of an impulse and one of moment of these sizes, as if no guide took a part.
+  double largest_response(double impulse, double of_moment) const {
+    return impulse * impulse / mass_ + of_moment * of_moment * trace(inverse_);
+  }
+  /// The same as largest_response(distance), less what guides take in every direction.
+  double largest_guided_response(double distance) const {
+    return largest_response(directions_.size() < 3 ? 1 : 0, axes_.size() < 3 ? distance : 0);
+  }
 
   void set(const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
     velocity_ = velocity, angular_momentum_ = turned(inertia_, angular_velocity);

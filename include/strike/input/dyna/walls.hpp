@@ -143,9 +143,11 @@ inline void shaped_wall(File& file, Draft& draft) {
     if (sphere) {
       obstacle.shape = RigidSphere{wall.point, radius};
     } else {
-      obstacle.shape = RigidCylinder{wall.point, wall.normal, radius};
-      obstacle.length = shape.number("LENCYL");
-      file.ignore(obstacle.length, "LENCYL (a RigidCylinder is endless)");
+      const double length = shape.number("LENCYL");
+      if (length < 0) file.refuse({"LENCYL of the wall is negative: give a length, or 0 for no end."});
+      RigidCylinder round{wall.point, wall.normal, radius};
+      if (length > 0) round.length = length;
+      obstacle.shape = round;
       for (FileNumber left = shape.integer("NSEGS"); left > 0 && file.pass_card(); --left)
         file.ignore(1, "A segment of the cylinder");
     }
@@ -161,15 +163,17 @@ inline void shaped_wall(File& file, Draft& draft) {
 
 inline constexpr Meaning of_planar_walls{
     "`walls`: edges, mass and speed",
-    "`RigidWall`; with edges `Contact{NodeToRigid{...}, Coulomb{FRIC}}` with a `RigidSurface`",
+    "`RigidWall`; with edges `Contact{NodeToRigid{...}, Coulomb{FRIC}}` with a `RigidSurface`; what moves is a "
+    "`RigidBody` and touched as `Carried{RigidPlane{...}}`, or with edges by `NodeToSurface`",
     "`_ORTHO`, which is refused; BOXID, OFFSET, BIRTH, DEATH, RWKSF, FRIC 1 to 3, the card of `_FORCES`; in a scene: "
-    "walls that move, or end in one direction alone"};
+    "walls that end in one direction alone"};
 inline constexpr Meaning of_shaped_walls{
-    "`walls` of `_FLAT`; `obstacles`: shape, length of a cylinder; motion of both",
+    "`walls` of `_FLAT`; `obstacles`: their shape; motion of both",
     "`RigidWall`; `Contact{NodeToRigid{...}, Coulomb{FRIC}}` with a `RigidSphere`, `RigidCylinder` or, of `_FLAT` with "
-    "edges, `RigidSurface`",
+    "edges, `RigidSurface`; what moves is a `RigidBody` with `BodyVelocity` or `BodyDisplacement`, touched as "
+    "`Carried`, or with edges by `NodeToSurface`",
     "`_PRISM`, `_INTERIOR` and `_DEFORM`, which are refused; BOXID, BIRTH, DEATH, FRIC 1 to 3, segments of a cylinder; "
-    "in a scene: LENCYL, walls that move, or end in one direction alone"};
+    "in a scene: walls that end in one direction alone"};
 /// The readers of *RIGIDWALL_PLANAR and _GEOMETRIC with any of their options; null for other keywords.
 inline const Keyword* wall_keyword(std::string_view name) {
   static constexpr Keyword planar{planar_wall, wall, Invariant::none, &of_planar_walls},
