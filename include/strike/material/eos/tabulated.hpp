@@ -38,9 +38,10 @@ class TabulatedEos {
       throw Error(detail::joined({"strike: a TabulatedEos has ", std::to_string(points_.size()),
                                   points_.size() == 1 ? " point" : " points", ": give it at least two."}));
     table_ranges(detail::RangeCheck("TabulatedEos", {}));
+    const bool rising = rises();
     for (std::size_t i = 1; i < points_.size(); ++i) {
-      const auto& [e0, C0, T0] = points_[rises() ? i - 1 : points_.size() - i];
-      const auto& [e1, C1, T1] = points_[rises() ? i : points_.size() - 1 - i];
+      const auto& [e0, C0, T0] = points_[rising ? i - 1 : points_.size() - i];
+      const auto& [e1, C1, T1] = points_[rising ? i : points_.size() - 1 - i];
       pieces_.push_back({e0, e1, {C1, (C1 - C0) / (e1 - e0)}, {T1, (T1 - T0) / (e1 - e0)}});
     }
   }
@@ -74,7 +75,14 @@ class TabulatedEos {
     Line C, T;
   };
 
-  bool rises() const { return points_[1].volumetric_strain > points_[0].volumetric_strain; }
+  /// True of most points, of the first two in a draw, so that an error names the one that is out of order.
+  bool rises() const {
+    std::size_t rising = 0;  // steps
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      rising += points_[i].volumetric_strain > points_[i - 1].volumetric_strain ? 1 : 0;
+    const bool first = points_[1].volumetric_strain > points_[0].volumetric_strain;
+    return 2 * rising + (first ? 1 : 0) > points_.size() - 1;
+  }
 
   /// Pieces begin after their first point and are measured from their last, so that the value at rest is the table's.
   template <class Number>
@@ -91,6 +99,7 @@ class TabulatedEos {
 
   void table_ranges(const auto& number) const {
     using detail::joined, detail::text, std::to_string;
+    const bool rising = rises();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto& [e, C, T] = points_[i];
       const std::string point = joined({" of point ", to_string(i)});
@@ -98,7 +107,7 @@ class TabulatedEos {
       if (i == 0)
         number("volumetric_strain" + point, e, range::finite);
       else
-        number("volumetric_strain" + point, e, rises() ? range::above(e0) : range::below(e0),
+        number("volumetric_strain" + point, e, rising ? range::above(e0) : range::below(e0),
                "sort the points by their strain, each once");
       number("T" + point, T, range::finite);
       if (i == 0) {
@@ -106,8 +115,8 @@ class TabulatedEos {
         continue;
       }
       const bool has_heat = gamma * T > 0 && gamma * T0 > 0;
-      const Range falls = rises() ? (has_heat ? range::at_most(C0) : range::below(C0))
-                                  : (has_heat ? range::at_least(C0) : range::above(C0));
+      const Range falls = rising ? (has_heat ? range::at_most(C0) : range::below(C0))
+                                 : (has_heat ? range::at_least(C0) : range::above(C0));
       number("C" + point, C, falls,
              falls.holds(C) ? std::string{}
                             : joined({"the bulk modulus from point ", to_string(i - 1), " to point ", to_string(i),
