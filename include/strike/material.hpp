@@ -6,6 +6,7 @@
 #include <strike/material/eos/jwl.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/eos/tabulated.hpp>
 #include <strike/material/explosive.hpp>
 #include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>

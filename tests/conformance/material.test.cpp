@@ -157,6 +157,9 @@ static_assert(sizeof(Fluid<LinearEos>) == 2 * sizeof(double));
 TEST_CASE("conformance: Fluid of LinearEos") { conforms(Fluid{linear}); }
 TEST_CASE("conformance: Fluid of CubicEos and Newtonian") { conforms(Fluid{bird_eos, Newtonian{.viscosity = 100}}); }
 TEST_CASE("conformance: Fluid of PolynomialEos") { conforms(Fluid{water}); }
+TEST_CASE("conformance: Fluid of TabulatedEos") {
+  conforms(Fluid{TabulatedEos{1000, {{-.4, 4e9, .3}, {-.1, .4e9, .4}, {0, 0, .5}, {.3, -.5e9, .3}}}});
+}
 TEST_CASE("conformance: Fluid of GruneisenEos") { conforms(Fluid{copper}); }
 TEST_CASE("conformance: Fluid of IdealGas and Newtonian") { conforms(Fluid{air, Newtonian{.viscosity = 1}}); }
 TEST_CASE("conformance: a material of this test") { conforms(Maxwell{2e9, 1e9, 1e-5}); }

@@ -64,6 +64,7 @@ TEST_CASE("conformance: wrong numbers of materials are refused") {
                        .gamma = 1.99,
                        .a = .47,
                        .initial_energy = 1e5});
+  refuses(TabulatedEos{1000, {{0, 0, .1}, {-.1, 1e9, .2}, {-.2, 3e9, .4}, {-.3, 7e9, .8}}, .5, 1e5, -1e7});
   refuses(IdealGas{.density = 1.2, .gamma = 1.4, .initial_energy = 2.5e5});
   refuses(tnt::products);
 

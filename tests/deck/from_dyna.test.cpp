@@ -650,6 +650,34 @@ TEST_CASE("deck: a blast is that of its card, in its units, and kinds of bursts 
   CHECK(has(blast_of("6", "2", "").cannot, "has no faces"));
 }
 
+TEST_CASE("deck: a table of pressures in fluids and in solids that follow von Mises, in hexahedra") {
+  const DeckScene scene = scene_of(
+      three_metals +
+      "*MAT_NULL\n4,1.5,,.01\n*MAT_ELASTIC_PLASTIC_HYDRO\n5,2,1,.1,0,-.3\n*MAT_JOHNSON_COOK\n6,7.8,77\n" +
+      "*EOS_TABULATED\n4,2,.5\n0,-.1\n\n0,1\n\n.25,.5\n*EOS_009\n5,,,,7\n*DEFINE_CURVE\n7\n-.1,1\n0,0\n.1,-.5\n" +
+      ended +
+      "*PART\nwater\n7,1,4,4\n*PART\nclay\n8,1,5,5\n*PART\nsteel\n9,1,6,4\n*ELEMENT_SOLID\n7,7,1,2,3,4,5,6,7,8\n"
+      "8,8,1,2,3,4,5,6,7,8\n9,9,1,2,3,4,5,6,7,8\n");
+  REQUIRE(scene.parts.size() == 5);
+  const auto* const water = std::get_if<PartOf<DeckHexahedron, Fluid<TabulatedEos, Newtonian>>>(&scene.parts[3].item);
+  REQUIRE(water);
+  CHECK(water->material.viscosity() == .01);
+  CHECK(scene.parts[3].material ==
+        "Fluid{TabulatedEos{1.5, {{0, 0, 0.25}, {-0.1, 1, 0.5}}, 2, 0.5}, Newtonian{.viscosity = 0.01}}");
+  const TabulatedEos written{1.5, {{0, 0, 0.25}, {-0.1, 1, 0.5}}, 2, 0.5};
+  for (const double mu : {-.1, 0., .07, .5}) {
+    CHECK(water->material.eos.A(mu) == written.A(mu));
+    CHECK(water->material.eos.B(mu) == written.B(mu));
+  }
+  const auto* const clay = std::get_if<PartOf<DeckHexahedron, Solid<TabulatedEos, VonMises>>>(&scene.parts[4].item);
+  REQUIRE(clay);
+  CHECK(clay->material.eos.pressure_cutoff == -.3);
+  CHECK_THAT(scene.parts[4].material, StartsWith("Solid{TabulatedEos{2, {{-0.1, 1}, {0, 0}, {0.1, -0.5}}, 0, 0, -0.3}, "
+                                                 "VonMises{.shear_modulus = 1, .yield_stress = 0.1"));
+  CHECK(scene.cannot.size() == 1);
+  CHECK(has(scene.cannot, "Part 9, steel: hexahedra of Hex8 with Solid are not among the pairs"));
+}
+
 TEST_CASE("deck: numbers are written so that they read back as the same") {
   const TabulatedHardening law{1.0 / 3, {{0, 0.1 + 0.2}, {0.1, 0.4}, {2, 0.5}}};
   CHECK(detail::code_of(law) ==

@@ -1,4 +1,5 @@
 // Cards of LS-DYNA's materials with laws of their own: the value of each, and what of a card is told.
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -313,4 +314,97 @@ TEST_CASE("dyna laws: plies") {
         "2WAY;AOPT (the direction of fibres is that of the section);DFAILM;DFAILS;TFAIL;ALPH;SOFT;FBRT;YCFAC;DFAILT;"
         "DFAILC;EFS;CRIT;");
   refuses_cube("*MAT_022\n1,1,140,9,1,.9\n1,1,1\n", "PRBA squared is not below EB/EA");
+}
+
+TEST_CASE("dyna laws: a table of pressures by points, falling or rising, in every format") {
+  // p = C + GAMA T E: 0 at rest, 1 and 3 at the strains -0.1 and -0.2, with GAMA T of 0.8, 1.2 and 2
+  const std::string falls = "0,-.1,-.2\n\n0,1,3\n\n.4,.6,1\n", rises = "-.2,-.1,0\n\n3,1,0\n\n1,.6,.4\n";
+  const auto wide = [](const std::string& keyword, std::size_t head, std::size_t width) {
+    std::string text = keyword + "\n";
+    const auto add = [&](const std::string& field, std::size_t w) {
+      text += std::string(w - field.size(), ' ') + field;
+    };
+    for (const char* field : {"1", "2.0", "7.0", "1.0"}) add(field, head);
+    text += "\n$ volumetric strains\n";
+    for (const char* row : {"0.0 -0.1 -0.2", "0.0 1.0 3.0", "0.4 0.6 1.0"}) {
+      for (const char* c = row;; ++c) {
+        std::string field;
+        for (; *c != ' ' && *c != '\0'; ++c) field += *c;
+        add(field, width);
+        if (*c == '\0') break;
+      }
+      add("0.0", width), text += "\n";
+      for (int i = 0; i < 5; ++i) add("0.0", width);
+      text += "\n";
+    }
+    return text;
+  };
+  for (const std::string& text :
+       {"*EOS_TABULATED\n1,2,7\n" + falls, "*EOS_009\n1,2,7,1\n" + rises, "*EOS_TABULATED_TITLE\nclay\n1,2,7\n" + falls,
+        wide("*EOS_TABULATED", 10, 16), wide("*EOS_TABULATED +", 20, 20)}) {
+    INFO(text);
+    const DynaDeck deck = read_cube("*MAT_NULL\n1,2e-6,-.5\n" + text);
+    CHECK(ignored(deck) == "");
+    const auto eos = deck.eos<TabulatedEos>("cube");
+    CHECK(eos.density == 2e-6);
+    CHECK(eos.pressure_cutoff == -.5);
+    CHECK(eos.gamma == 2);
+    CHECK(eos.initial_energy == 7);
+    CHECK(eos.points().size() == 3);
+    for (const auto& [e, C, B] :
+         {std::array{0., 0., .8}, {-.1, 1., 1.2}, {-.15, 2., 1.6}, {-.3, 5., 2.8}, {.2, -2., 0.}}) {
+      CHECK(eos.A(std::expm1(-e)) == Approx(C).margin(1e-14));
+      CHECK(eos.B(std::expm1(-e)) == Approx(B).margin(1e-14));
+    }
+  }
+  const auto points = [](const std::string& rows) {
+    const DynaDeck deck = read_cube("*MAT_NULL\n1,2e-6\n*EOS_TABULATED\n1\n" + rows);
+    CHECK(ignored(deck) == "");
+    return deck.eos<TabulatedEos>(1).points();
+  };
+  // Zeros end a table, but a rising one of C alone ends at rest; the first point may be at rest, or one between.
+  CHECK(points("-.2,-.1\n\n3,1\n").size() == 3);
+  CHECK(points("-.2,-.1\n\n3,1\n\n.5,.4\n").size() == 2);
+  CHECK(points("0,-.1\n\n0,1\n").size() == 2);
+  CHECK(points(".1,0,-.1\n\n-1,0,1\n").size() == 3);
+  CHECK(points("-.1,0,.1\n\n1,0,-1\n").size() == 3);
+  CHECK(points("0,-.1,-.2,-.3,-.4\n-.5,-.6,-.7,-.8,-.9\n0,1,2,3,4\n5,6,7,8,9\n").size() == 10);
+  CHECK(ignored(read_cube("*MAT_NULL\n1,1\n*EOS_009\n1,,,.9,,,3\n0,-.1\n\n0,1\n")) == "V0;Further fields;");
+
+  refuses_cube("*EOS_TABULATED\n1\n",
+               "line 16: equation of state 1 cannot follow its points: a TabulatedEos has 0 points");
+  refuses_cube("*EOS_TABULATED\n1\n0,-.1,-.05\n\n0,1,2\n",
+               "line 16: equation of state 1 cannot follow its points: the volumetric_strain of point 2");
+  refuses_cube("*EOS_TABULATED\n1\n0,-.1\n\n0,-1\n", "the bulk modulus from point 0 to point 1 is -10");
+  CHECK_THROWS_WITH(read_cube("*MAT_NULL\n1,2e-6\n*EOS_TABULATED\n1\n0,-.1\n\n0,1\n").eos<PolynomialEos>(1),
+                    "strike: the equation of state 1 of part 1 is *EOS_TABULATED: read it as TabulatedEos.");
+}
+
+TEST_CASE("dyna laws: a table of pressures by curves, wherever they stand") {
+  const std::string null = "*MAT_NULL\n1,2e-6\n", cold = "*DEFINE_CURVE\n7\n-.2,3\n-.1,1\n0,0\n",
+                    hot = "*DEFINE_CURVE\n8\n-.3,2\n0,.5\n", both = "*EOS_TABULATED\n1,2,7,1,7,8\n";
+  for (const std::string& text : {null + both + cold + hot, cold + null + hot + both + "0,-.1\n\n0,50\n"}) {
+    const auto eos = read_cube(text).eos<TabulatedEos>("cube");
+    CHECK(eos.points().size() == 4);  // the strains of both
+    for (const auto& [e, C, T] :
+         {std::array{0., 0., .5}, {-.1, 1., 1.}, {-.2, 3., 1.5}, {-.25, 4., 1.75}, {.1, -1., 0.}}) {
+      CHECK(eos.A(std::expm1(-e)) == Approx(C).margin(1e-14));
+      CHECK(eos.B(std::expm1(-e)) == Approx(2 * T).margin(1e-14));
+    }
+    CHECK(eos.A(0.) == 0);
+  }
+  // The other one by points, or none.
+  const auto by_C = read_cube(null + "*EOS_009\n1,2,7,1,7\n0,-.3\n\n\n\n.5,2\n" + cold).eos<TabulatedEos>(1);
+  CHECK(by_C.A(std::expm1(.2)) == Approx(3));
+  CHECK(by_C.B(std::expm1(.2)) == Approx(3));
+  const auto by_T = read_cube(null + "*EOS_009\n1,2,7,1,,8\n0,-.1\n\n0,1\n" + hot).eos<TabulatedEos>(1);
+  CHECK(by_T.A(std::expm1(.2)) == Approx(2));
+  CHECK(by_T.B(std::expm1(.2)) == Approx(3));
+  CHECK(read_cube(null + "*EOS_009\n1,2,7,1,7\n" + cold).eos<TabulatedEos>(1).B(1.) == 0);
+
+  refuses_cube(both + hot, "line 16: the curve 7 of equation of state 1 is not in the file: define it");
+  refuses_cube(both + hot + "*DEFINE_CURVE\n7\n0,0\n",
+               "curve 7 of equation of state 1 has 1 point: give it at least two");
+  refuses_cube(both + hot + "*DEFINE_CURVE\n7\n-.1,3\n-.1,1\n",
+               "curve 7 of equation of state 1 does not rise from the strain -0.1 to -0.1");
 }

@@ -12,6 +12,7 @@
 #include <strike/element/plate3.hpp>
 #include <strike/element/plate4.hpp>
 #include <strike/element/tet4.hpp>
+#include <strike/material/eos/tabulated.hpp>
 #include <strike/material/explosive.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/range.hpp>
@@ -31,6 +32,7 @@ inline std::string code_of(const std::vector<Eigen::Vector3d>& all) {
 }
 
 inline std::string code_of(const TabulatedHardening& law);
+inline std::string code_of(const TabulatedEos& eos);
 template <class Model>
 std::string code_of(const Model& model);
 
@@ -76,6 +78,16 @@ inline std::string code_of(const TabulatedHardening& law) {
   for (std::size_t i = 1; i + 1 < numbers.size(); i += i > 1 ? 3 : 2)
     points += joined({i > 1 ? ", {" : "{", shortest(numbers[i]), ", ", shortest(numbers[i + 1]), "}"});
   return joined({"TabulatedHardening{", shortest(law.shear_modulus), ", {", points, "}}"});
+}
+inline std::string code_of(const TabulatedEos& eos) {
+  std::string points;
+  for (const auto& [e, C, T] : eos.points())
+    points += joined({points.empty() ? "{" : ", {", shortest(e), ", ", shortest(C), T != 0 ? ", " : "",
+                      T != 0 ? shortest(T) : "", "}"});
+  const bool is_cut_off = eos.pressure_cutoff != TabulatedEos::no_cutoff;
+  return joined({"TabulatedEos{", shortest(eos.density), ", {", points, "}, ", shortest(eos.gamma), ", ",
+                 shortest(eos.initial_energy), is_cut_off ? ", " : "", is_cut_off ? shortest(eos.pressure_cutoff) : "",
+                 "}"});
 }
 inline std::string code_of(const DetonationPoints& ignition) {
   std::string points;

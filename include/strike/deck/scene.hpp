@@ -39,6 +39,7 @@
 #include <strike/material/eos/jwl.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/eos/tabulated.hpp>
 #include <strike/material/explosive.hpp>
 #include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
@@ -81,7 +82,8 @@ using DeckPart = AnyPart<
     PartOf<Plate3<>, DeckSection<DeckMetal>>, PartOf<Plate3<>, DeckSection<DeckCurve>>,
     PartOf<Plate4<>, DeckLaminate, Erosion>,
     PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook, JohnsonCookFailure>, Erosion>,
-    PartOf<DeckHexahedron, Explosive<Jwl, DetonationPoints>>>;
+    PartOf<DeckHexahedron, Explosive<Jwl, DetonationPoints>>, PartOf<DeckHexahedron, Solid<TabulatedEos, VonMises>>,
+    PartOf<DeckHexahedron, Fluid<TabulatedEos, Newtonian>>>;
 
 using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;

@@ -17,6 +17,7 @@
 #include <strike/material/eos/jwl.hpp>
 #include <strike/material/eos/linear.hpp>
 #include <strike/material/eos/polynomial.hpp>
+#include <strike/material/eos/tabulated.hpp>
 #include <strike/material/explosive.hpp>
 #include <strike/material/failing_ply.hpp>
 #include <strike/material/failure/failure.hpp>
@@ -232,7 +233,7 @@ struct MaterialCard {
 struct EosCard {
   FileNumber number;
   std::string keyword;
-  std::variant<PolynomialEos, GruneisenEos, Jwl> eos;
+  std::variant<PolynomialEos, GruneisenEos, Jwl, TabulatedEos> eos;
 };
 
 /// *MAT_ADD_EROSION of a material: limits of an `Erosion{.strain = e.strain, .volume = e.volume}`, and failure laws, of

@@ -182,6 +182,15 @@ struct PendingHardening {
   std::optional<FailureStrain> failure;
 };
 
+/// A table of an equation of state, whose curves may stand after it.
+struct PendingEos {
+  std::size_t place;  ///< in the deck
+  std::uint32_t line;
+  FileNumber curve_C = 0, curve_T = 0;  ///< LCC and LCT, 0 for none
+  double gamma = 0, initial_energy = 0;
+  std::vector<TabulatedEos::Point> points = {};
+};
+
 /// *DEFINE_BOX, along the axes.
 struct Box {
   Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = Eigen::Vector3d::Zero();
@@ -216,6 +225,7 @@ struct Draft {
   std::vector<PendingInertia> centres = {}, inertia_systems = {};
   std::vector<PendingShell> shells = {};
   std::vector<PendingHardening> hardenings = {};
+  std::vector<PendingEos> tabulated_eos = {};
   std::vector<PendingRigid> rigid_systems = {};
   OpenTable open_table = {};
   std::map<std::pair<std::string_view, FileNumber>, std::uint32_t> defined = {};  ///< lines of cards by kind, number

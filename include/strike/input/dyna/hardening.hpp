@@ -6,11 +6,10 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include <strike/error.hpp>
+#include <strike/input/dyna/curves.hpp>
 #include <strike/input/dyna/draft.hpp>
 #include <strike/input/raw_mesh.hpp>
 
@@ -60,20 +59,10 @@ inline Points from_zero(Points points) {
   if (last < 0 && stress > 0) all.push_back({strain - stress / last, 0});
   return all;
 }
-/// A law of points. Error: no material can follow these.
-template <class Make>
-auto made_of_points(FileNumber material, std::uint32_t line, const File& file, Make make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    std::string_view why = error.what();
-    why.remove_prefix(std::min(why.size(), std::string_view("strike: ").size()));
-    file.source().refuse(line, {"material ", std::to_string(material), " cannot follow its points: ", why});
-  }
-}
 inline TabulatedHardening hardening_of(double G, const Points& points, FileNumber material, std::uint32_t line,
                                        const File& file) {
-  return made_of_points(material, line, file, [&] { return TabulatedHardening(G, points); });
+  return made_of_points(joined({"material ", std::to_string(material)}), line, file,
+                        [&] { return TabulatedHardening(G, points); });
 }
 /// Points of a curve of stress over plastic strain.
 inline Points points_of(const CurveCard& curve) {
@@ -131,23 +120,13 @@ inline void expect_small_table(const std::vector<TabulatedRates::Test>& tests, F
 inline void complete_materials(Draft& draft, File& file, Allowance& allowance) {
   if (draft.hardenings.empty()) return;
   DynaDeck& deck = draft.deck;
-  std::map<FileNumber, const CurveCard*> curves;
+  const Curves curves(deck, file, allowance);
   std::map<FileNumber, const TableCard*> tables;
-  for (const CurveCard& curve : deck.curves) curves.try_emplace(curve.number, &curve);
   for (const TableCard& table : deck.tables) tables.try_emplace(table.number, &table);
   for (PendingHardening& pending : draft.hardenings) {
     MaterialCard& card = deck.materials[pending.material];
-    const auto curve = [&](FileNumber number) -> const CurveCard& {
-      if (const auto found = curves.find(number); found != curves.end()) {
-        allowance.take(found->second->points.size(), pending.line);
-        return *found->second;
-      }
-      const std::string skipped = file.skipped("*DEFINE_");
-      file.source().refuse(pending.line,
-                           {"the curve ", std::to_string(number), " of material ", std::to_string(card.number),
-                            " is not in the file", skipped.empty() ? "" : " (", skipped,
-                            skipped.empty() ? "" : " was skipped)", ": define it or correct the card."});
-    };
+    const std::string owner = joined({"material ", std::to_string(card.number)});
+    const auto curve = [&](FileNumber number) -> const CurveCard& { return curves.at(number, owner, pending.line); };
     std::vector<TabulatedRates::Test> tests;
     bool has_logarithms = pending.has_logarithms;
     const auto found = tables.find(pending.curve);
@@ -178,8 +157,7 @@ inline void complete_materials(Draft& draft, File& file, Allowance& allowance) {
       expect_small_table(tests, card.number, pending.line, file, allowance);
       const auto between = has_logarithms ? TabulatedRates::Between::logarithms : TabulatedRates::Between::rates;
       card.material = TabulatedRatesMaterial{
-          pending.eos,
-          made_of_points(card.number, pending.line, file, [&] { return TabulatedRates(G, tests, between); }),
+          pending.eos, made_of_points(owner, pending.line, file, [&] { return TabulatedRates(G, tests, between); }),
           pending.failure};
     }
   }

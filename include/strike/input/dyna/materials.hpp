@@ -12,6 +12,7 @@
 #include <strike/input/dyna/hardening.hpp>
 #include <strike/input/dyna/material_head.hpp>
 #include <strike/input/dyna/soft_materials.hpp>
+#include <strike/input/dyna/tabulated_eos.hpp>
 
 // Materials and equations of state (LS-DYNA Keyword User's Manual R13, volume II).
 namespace strike::detail::dyna {
@@ -478,6 +479,8 @@ inline constexpr auto material_keywords = std::to_array<Keyword>({
     {"*EOS_001", linear_polynomial, Invariant::moved, &of_polynomial},
     {"*EOS_GRUNEISEN", gruneisen, Invariant::moved, &of_gruneisen},
     {"*EOS_004", gruneisen, Invariant::moved, &of_gruneisen},
+    {"*EOS_TABULATED", tabulated_eos, Invariant::moved, &of_tabulated_eos},
+    {"*EOS_009", tabulated_eos, Invariant::moved, &of_tabulated_eos},
 });
 
 }  // namespace strike::detail::dyna

@@ -195,6 +195,7 @@ inline DynaDeck resolved(Draft draft, File& file) {
   deck.part_sets = resolved_part_sets(draft, file, mesh.allowance);
   deck.shells = resolved_shells(draft, deck);
   complete_materials(draft, file, mesh.allowance);
+  complete_equations_of_state(draft, file, mesh.allowance);
   deck.segment_sets = resolved_segments(draft, mesh, file, deck.warnings);
 
   deck.node_sets.reserve(deck.node_sets.size() + draft.general_sets.size());  // lookup points to them

@@ -22,7 +22,7 @@ namespace strike {
 /// 6. `ranges(number)`: what its numbers may be (strike/range.hpp).
 /// Energy update, sound speed (by dual numbers) and memory follow from these.
 /// Laws: A is smooth but for finitely many mu; the sound speed is real where the equation is used.
-/// Models: LinearEos, CubicEos, PolynomialEos, GruneisenEos, IdealGas, Jwl.
+/// Models: LinearEos, CubicEos, PolynomialEos, GruneisenEos, IdealGas, Jwl, TabulatedEos.
 template <class E>
 concept EquationOfState = requires(const E eos, double mu) {
   { eos.density } -> std::convertible_to<double>;
