@@ -173,7 +173,7 @@ TEST_CASE("a carried obstacle that is held is one at rest") {
                                                                           law);
     double most = 0;
     for (std::size_t i = 0; i < stands.size(); ++i) most = std::max(most, (stands[i] - carried[i]).norm());
-    CHECK(most < 1e-7);  // Kinematic and friction are content with 1e-6 of the approach
+    CHECK(most < 1.5e-6);  // the laws miss at most 1e-6 of the approach, 1, for a time of 1.5
   };
   alike(RigidPlane{{0, 0, 0}, {0, 0, 1}}, Penalty{});
   alike(RigidSphere{{0.3, 0.3, -2}, 2}, Kinematic{});
@@ -229,7 +229,7 @@ TEST_CASE("a wall that is driven pushes as one at rest pushes what flies into it
     const auto driven = run(1, 0, mass);
     double most = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) most = std::max(most, (stands[i] - driven[i]).norm());
-    CHECK(most < 1e-7);  // Kinematic is content with 1e-6 of the approach
+    CHECK(most < 3e-7);  // the law misses at most 1e-6 of the approach, 1, for a time of 0.3
   }
 }
 
