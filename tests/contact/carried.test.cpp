@@ -28,6 +28,7 @@
 #include <strike/motion/openmp.hpp>
 #include <strike/output/checkpoint.hpp>
 
+#include "output/scratch.hpp"
 #include "support/catch.hpp"
 
 using namespace strike;
@@ -135,12 +136,12 @@ TEST_CASE("a carried obstacle: turned, moved and flying scenes, threads and an i
   threads.until(1.5e-3);
   CHECK(threads.positions() == expected);
 
-  const std::string path = "carried.checkpoint";
+  const ScratchFolder folder("carried");
   auto first = scene.run(Kinematic{});
   for (const double time : {0.2e-3, 0.7e-3, 1.1e-3}) {
     first.until(1.5e-3, StopWhen{[&] { return first.time() >= time; }});
     auto second = scene.run(Kinematic{});
-    write_checkpoint(path, first), read_checkpoint(path, second);
+    write_checkpoint(folder / "run", first), read_checkpoint(folder / "run", second);
     second.until(1.5e-3);
     CHECK(second.positions() == expected);
   }
