@@ -33,17 +33,20 @@ namespace {
 using Numbers = std::vector<double>;
 
 const Mesh block = box({.size = {1, 1, 1}, .cells = {1, 1, 2}});
-/// A block with a aboveer one on it and one beside it.
+/// A block with a smaller one on it and one beside it, and the frame of an obstacle.
+Frame frame;
 const Mesh blocks = [] {
   const Mesh small = box({.size = {.5, .5, .5}});
   Mesh mesh = block;
   append(mesh, translated(small, {.25, .25, 1}));
   append(mesh, translated(small, {1, .25, .25}));
+  frame = add_frame(mesh.nodes, {9, 0, 0}, 1);
   return mesh;
 }();
 const std::vector<Index> foot{0, 1, 2, 3}, head{8, 9, 10, 11}, above{12, 13, 14, 15}, beside{20, 22, 24, 26};
 const Eigen::Vector3d up{0, 0, 1}, far{0, 0, -10};
 const Elastic rubber{.density = 1000, .youngs_modulus = 1e6, .poissons_ratio = .3};
+const RigidBody carrier{frame.nodes, Inertia{1, {9, 0, 0}, {1, 1, 1}}};
 const Surface faces{surface(block)};
 
 auto scene() {
@@ -63,6 +66,8 @@ auto scene() {
       Contact{NodeToRigid{above, RigidPlane{far, up}}, Coulomb{.3}},
       Contact{NodeToRigid{above, RigidSphere{far, 1}}},
       Contact{NodeToRigid{above, RigidCylinder{far, {0, 1, 0}, 1}}},
+      carrier,
+      Contact{NodeToRigid{above, Carried{RigidSphere{far, 1}, frame}}},
       Contact{NodeToRigid{above, RigidSurface{{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}}, {{{0, 2, 1, 1}, 0}}}}},
       Contact{NodeToSurface{above, faces}, Penalty{}, Coulomb{.3}},
       Contact{SelfContact{faces}},
@@ -117,7 +122,7 @@ TEST_CASE("conformance: wrong numbers of loads and supports are refused") {
   const auto refuses_body = [&](const auto& body) {
     testing::refuses_wrong_numbers(body, tried, [](const auto& changed) {
       return goes_on(
-          Explicit{Scene{blocks.nodes, Part{Hex8{}, rubber, blocks.hexahedra}, changed}, coarse, in<double>});
+          Explicit{Scene{blocks.nodes, Part{Hex8{}, rubber, blocks.hexahedra}, carrier, changed}, coarse, in<double>});
     });
   };
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -175,7 +180,7 @@ TEST_CASE("conformance: wrong numbers of contacts are refused") {
   refuses(NodeToRigid{above, RigidPlane{far, up}, .1}, [](const auto& to) { return Contact{to, Coulomb{.3}}; });
   refuses(NodeToRigid{above, RigidSphere{{0, 0, -3}, 1}, .1}, frictionless);
   refuses(NodeToRigid{above, RigidCylinder{{0, 0, -3}, {0, 1, 0}, 1, 2}, .1}, frictionless);
-  refuses(NodeToRigid{above, Carried{RigidSphere{{0, 0, -3}, 1}, Frame{}}, .1}, frictionless);
+  refuses(NodeToRigid{above, Carried{RigidSphere{{0, 0, -3}, 1}, frame}, .1}, frictionless);
   refuses(NodeToRigid{above, RigidSurface{{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}}, {{{0, 2, 1, 1}, 0}}}, .1}, frictionless);
   refuses(TieStrength{1e9, 1e9}, [](const TieStrength& strength) { return Tied{beside, faces, strength}; });
 
