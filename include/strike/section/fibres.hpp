@@ -72,11 +72,11 @@ struct FibreSection {
 };
 
 template <class T>
-Vector2<T> times(const Matrix2& A, const Vector2<T>& a) {
+Vector2<T> in_plane_times(const Matrix2& A, const Vector2<T>& a) {
   return {A(0, 0) * a(0) + A(0, 1) * a(1), A(1, 0) * a(0) + A(1, 1) * a(1)};
 }
 template <class T>
-Vector2<T> times(double A, const Vector2<T>& a) {
+Vector2<T> in_plane_times(double A, const Vector2<T>& a) {
   return T(A) * a;
 }
 

@@ -301,7 +301,7 @@ class Layered {
     std::size_t layer_k = 0;
     each_piece([&](auto i) {
       for (const auto& measured : detail::get<i>(measured_))
-        if (layer_k++ == k) tau = detail::times<T>(measured.flow(xi), state.shear);
+        if (layer_k++ == k) tau = detail::in_plane_times<T>(measured.flow(xi), state.shear);
     });
     return tau;
   }
@@ -370,7 +370,7 @@ class Layered {
     if constexpr (instantaneous)
       state.shear_stiffness = shear_.limited(state.shear_stiffness, present_shear(state).stiffness);
     if constexpr (has_fibres)
-      state.shear += (T(dt) * stretch) * detail::times<T>(fibres_.shear_stiffness, rate.shear);
+      state.shear += (T(dt) * stretch) * detail::in_plane_times<T>(fibres_.shear_stiffness, rate.shear);
     else
       state.shear += (T(dt) * stretch * stiffness(state)) * rate.shear;
     if constexpr (can_fail) state.shear = T(select(intact(state) > 0.0, T(1.0), T(0.0))) * state.shear;
