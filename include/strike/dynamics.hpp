@@ -2,6 +2,8 @@
 #include <strike/dynamics/advance.hpp>
 #include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/balance.hpp>
+#include <strike/dynamics/blocks.hpp>
+#include <strike/dynamics/deal.hpp>
 #include <strike/dynamics/dynamic_relaxation.hpp>
 #include <strike/dynamics/elements.hpp>
 #include <strike/dynamics/erosion.hpp>

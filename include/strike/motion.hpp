@@ -8,4 +8,5 @@
 #include <strike/motion/motion.hpp>
 #include <strike/motion/nodes.hpp>
 #include <strike/motion/openmp.hpp>
+#include <strike/motion/ranks.hpp>
 #include <strike/motion/step.hpp>

@@ -158,7 +158,7 @@ template <class E, class M, class T, class Removal, class Motion, class Volume, 
     if (!schedule.is_due(b)) continue;
     auto& block = blocks[b];
     const double dt = schedule.dt(b);
-    prefetch(blocks[std::min(b + 2, blocks.size() - 1)]);
+    prefetch(blocks[std::min(b + 2, patch.last_block - 1)]);
     if constexpr (erodes)
       if (!any(block.removal.alive > 0.0)) continue;
     // A small state stays in registers while its element works on it.
@@ -212,7 +212,7 @@ void add_volumes(const Elements<E, M, T, Removal>& elements, const Patch& patch,
   const auto& blocks = elements.blocks;
   for (std::size_t b = patch.first_block; b < patch.last_block; ++b) {
     const auto& block = blocks[b];
-    prefetch(blocks[std::min(b + 4, blocks.size() - 1)].nodes);
+    prefetch(blocks[std::min(b + 4, patch.last_block - 1)].nodes);
     const T V = elements.element.volume(gather<T, n>(motion.position, block.nodes));
     if constexpr (All::loses_elements) {
       T share = intact_share<T>(elements.material, block.state.material);

@@ -21,6 +21,7 @@
 #include <strike/motion/clock.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/ledger.hpp>
+#include <strike/motion/ranks.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/range.hpp>
 #include <strike/text.hpp>
@@ -76,7 +77,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
 
   AnyRun(const std::vector<Eigen::Vector3d>& positions, std::vector<Index> order, const ExplicitOptions& options,
          const Method& method)
-      : Items(positions, std::move(order)),
+      : Items(positions, std::move(order), ranks_of(method.execution)),
         options_(in_range(options)),
         execution_(method.execution),
         damping_(method.damping),

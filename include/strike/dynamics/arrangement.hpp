@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <strike/dynamics/any_part.hpp>
+#include <strike/dynamics/deal.hpp>
 #include <strike/dynamics/scene.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
@@ -20,6 +21,8 @@ namespace strike::detail {
 /// How the elements and nodes of a scene lie in memory: neighbours together, whatever their numbers are.
 struct Arrangement {
   std::vector<std::vector<Index>> cells;  ///< of each part, the numbers of its elements in order
+  std::vector<PlaceInScene> places{};     ///< of each part
+  bool is_dealt = true;                   ///< each process works on a share of the elements, else on all
   std::vector<Index> nodes;               ///< the numbers of the nodes in the order in which the elements name them
 };
 
@@ -52,6 +55,9 @@ class Arranger {
   /// With the nodes behind that no element names.
   Arrangement finished() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) name(static_cast<Index>(i));
+    std::size_t all = 0;
+    for (const auto& cells : made_.cells) made_.places.push_back({all, 0}), all += cells.size();
+    for (PlaceInScene& place : made_.places) place.all = all;
     return std::move(made_);
   }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/dynamics/blocks.hpp>
 #include <strike/dynamics/debris.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/removal.hpp>
@@ -104,7 +105,7 @@ struct Elements {
   std::size_t size;    ///< number of elements
   std::size_t number;  ///< of the part among those of the scene, from 0
   std::vector<Index> order;
-  std::vector<Block> blocks{};
+  Blocks<Block> blocks{};
   [[no_unique_address]] std::conditional_t<merges, std::vector<MergedCorners<T>>, Nothing> merged{};  ///< of blocks
 
   /// Elements of block b have corners in the same node.
@@ -202,7 +203,7 @@ struct Elements {
   /// The same of the first element whose state is NaN; empty: there is none.
   template <class N>
   [[gnu::cold]] std::string describe_nan(const N& nodes) const {
-    for (std::size_t place = 0; place < size; ++place) {
+    for (std::size_t place = blocks.first() * width; place < std::min(blocks.last() * width, size); ++place) {
       bool is_nan = false;
       const auto look = [&](const auto& numbers) {
         for (const T& one : numbers_of<T>(numbers))
@@ -217,23 +218,25 @@ struct Elements {
     }
     return {};
   }
-  /// By the numbers of the elements, false if deleted.
-  std::vector<bool> alive() const {
-    std::vector<bool> alive(size, true);
+  // Values of the elements, place by place, where their blocks are kept.
+
+  /// False if deleted.
+  std::vector<char> alive() const {
+    std::vector<char> alive(size, true);
     if constexpr (erodes)
-      for (std::size_t b = 0; b < blocks.size(); ++b)
-        for (std::size_t l = 0; l < count(b); ++l) alive[order[b * width + l]] = lane(blocks[b].removal.alive, l) > 0;
+      for (std::size_t b = blocks.first(); b < blocks.last(); ++b)
+        for (std::size_t l = 0; l < count(b); ++l) alive[b * width + l] = lane(blocks[b].removal.alive, l) > 0;
     return alive;
   }
 
-  /// A value per element by its number, the mean over the points that visit(state, add) adds as f(point). Error: it
+  /// The mean over the points that visit(state, add) adds as f(point). Error: it
   /// adds none.
   template <class F, class Visit>
   auto mean_over_points(const F& f, const Visit& visit) const {
     using Sum = PointValue<F, M, T>;
     using Number = typename ElementValue<Sum>::Number;  // T, or of a value that is the same in all lanes double
     std::vector<typename ElementValue<Sum>::type> values(size);
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (std::size_t b = blocks.first(); b < blocks.last(); ++b) {
       Sum sum;
       const auto in_sum = numbers_of<Number>(sum);
       std::fill(in_sum.begin(), in_sum.end(), Number(0.0));
@@ -248,7 +251,7 @@ struct Elements {
         throw Error(joined({"strike: the elements of part ", std::to_string(number),
                             " have no point of material, so there is no field of it; visit them in each_point."}));
       for (std::size_t l = 0; l < count(b); ++l) {
-        const auto in_element = numbers_of<double>(values[order[b * width + l]]);
+        const auto in_element = numbers_of<double>(values[b * width + l]);
         for (std::size_t k = 0; k < in_sum.size(); ++k)
           in_element[k] = static_cast<double>(lane(in_sum[k], l)) / points;
       }
@@ -256,13 +259,13 @@ struct Elements {
     return values;
   }
 
-  /// f(state of an element), a number, by the numbers of the elements.
+  /// f(state of an element), a number.
   template <class F>
   std::vector<double> per_element(const F& f) const {
     std::vector<double> values(size);
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (std::size_t b = blocks.first(); b < blocks.last(); ++b) {
       const T value = f(blocks[b].state);
-      for (std::size_t l = 0; l < count(b); ++l) values[order[b * width + l]] = static_cast<double>(lane(value, l));
+      for (std::size_t l = 0; l < count(b); ++l) values[b * width + l] = static_cast<double>(lane(value, l));
     }
     return values;
   }
@@ -305,7 +308,7 @@ struct Elements {
   [[gnu::cold]] void check_layer(std::size_t k) const {
     const auto exists = [&](std::size_t layer) {
       bool any = false;
-      blocks[0].state.each_point(layer, [&](const auto&) { any = true; });
+      blocks[blocks.first()].state.each_point(layer, [&](const auto&) { any = true; });
       return any;
     };
     if (exists(k)) return;

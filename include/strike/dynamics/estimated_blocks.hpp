@@ -122,7 +122,7 @@ struct EstimatedPart {
   static constexpr bool averages_volume = requires { requires E::averages_volume; };
 
   std::vector<typename E::template Resistance<T>> resistance;
-  std::vector<std::size_t> patches;
+  std::vector<std::size_t> patches, own_patches;  ///< with chosen elements, and those of this process
   [[no_unique_address]] std::conditional_t<averages_volume, NodalVolume<LaneOf<T>, true>, NoVolume> volume;
 };
 struct NoPart {};

@@ -128,6 +128,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     compute_forces();
     if (this->cycle_.begin(this->items_, this->nodes_)) compute_forces();
     this->apply_loads();
+    this->keep_own();
   }
 
   void compute_forces() {

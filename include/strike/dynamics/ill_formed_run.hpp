@@ -129,9 +129,10 @@ class Explicit<Method, Items...> : public detail::IllFormedRun<sizeof...(Items)>
                 "strike: an element of this Scene lacks what the bound of the step needs: for GlobalStep{} give it "
                 "resistance(state, material, x, v, dt), as Hex8 has it, or leave the step to ElementStep{}.");
   template <class Item>
-  using Checked = std::conditional_t<
-      Scene<Items...>::sound,
-      detail::CheckedItem<Item, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>, Item*>;
+  using Checked =
+      std::conditional_t<Scene<Items...>::sound,
+                         detail::CheckedItem<Item, typename Method::template Nodes<Scene<Items...>::nodes_turn>>,
+                         Item*>;
   static_assert((sizeof(Checked<Items>) + ... + 0) > 0);
 
  public:

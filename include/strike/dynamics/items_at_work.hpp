@@ -16,6 +16,7 @@
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/motion/central_differences.hpp>
+#include <strike/process.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {
@@ -66,8 +67,9 @@ class ItemsAtWork {
  protected:
   using Item = ItemAtWork<Method, Nodes>;
 
-  ItemsAtWork(const std::vector<Eigen::Vector3d>& positions, std::vector<Index> order)
-      : nodes_(positions, std::move(order)) {}
+  ItemsAtWork(const std::vector<Eigen::Vector3d>& positions, std::vector<Index> order,
+              const typename Nodes::Ranks& ranks)
+      : nodes_(positions, std::move(order), ranks) {}
 
   /// The items, in the order of the scene. A copy lists its own anew.
   template <class Listed>
@@ -128,6 +130,7 @@ class ItemsAtWork {
   }
   [[gnu::cold]] void print(const std::vector<std::string>& warnings) {
     prints_warnings_ = true;
+    if (!this_process.is_first) return;
     for (const std::string& warning : warnings) std::fprintf(stderr, "strike: warning: %s\n", warning.c_str());
   }
   /// Prints those on plates that have stretched in the run, once, if warnings are printed.

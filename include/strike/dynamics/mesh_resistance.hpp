@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/dynamics/deal.hpp>
 #include <strike/dynamics/estimated_blocks.hpp>
 #include <strike/dynamics/lanczos.hpp>
 #include <strike/dynamics/patches.hpp>
@@ -13,6 +14,7 @@
 #include <strike/mesh/degenerate.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/gather.hpp>
+#include <strike/motion/ranks.hpp>
 
 namespace strike::detail {
 
@@ -20,7 +22,7 @@ namespace strike::detail {
 /// many it has chosen.
 template <class Part, class E, class T, class Nodes, class Masses>
 std::size_t choose_in_block(Part& part, EstimatedPart<E, T>& estimated, std::size_t b, double dt, Nodes& nodes,
-                            const std::vector<bool>& near, Masses& masses, double& rate_of_others) {
+                            const std::vector<char>& near, Masses& masses, double& rate_of_others) {
   constexpr std::size_t n = Part::n;
   const auto& corners = part.blocks()[b].nodes;
   auto& state = part.blocks()[b].state;
@@ -50,7 +52,7 @@ std::size_t choose_in_block(Part& part, EstimatedPart<E, T>& estimated, std::siz
     if (lane(state.followed.per_estimated, l) > 0) {
       ++count;
       std::array<Index, n> cell;
-      for (std::size_t i = 0; i < n; ++i) cell[i] = place(corners[i][l]);
+      for (std::size_t i = 0; i < n; ++i) cell[i] = corners[i][l];
       const std::array<double, n> shares = corner_shares(cell, merges_corners<E>());
       for (std::size_t i = 0; i < n; ++i) {
         masses[0][cell[i]] += static_cast<RealOf<T>>(shares[i]) * lane(resistance.mass, l);
@@ -133,10 +135,10 @@ class MeshResistance {
   /// Chooses the elements whose own step is below `target`, and their neighbours, and takes their resistance in a step
   /// dt. Returns their share of all.
   double choose(double target, double dt, Nodes& nodes, Items& items, EstimatedParts<Items>& parts) {
-    std::vector<bool> near(nodes.size());
+    std::vector<char> near(nodes.size());
     const auto place = [&](Index i) { return nodes.place(nodes.number(i)); };
     parts.each_part(items, [&](const auto& part, const auto&) {
-      for (std::size_t b = 0; b < part.blocks().size(); ++b) {
+      for (std::size_t b = part.blocks().first(); b < part.blocks().last(); ++b) {
         const auto& corners = part.blocks()[b].nodes;
         const auto& state = part.blocks()[b].state;
         for (std::size_t l = 0; l < part.count(b); ++l)
@@ -145,22 +147,34 @@ class MeshResistance {
       }
     });
 
-    for (auto& masses : masses_) masses.assign(nodes.size(), 0);
+    mark_for_all_ranks(nodes.ranks(), near);
+
+    for (auto& masses : masses_) masses.assign(nodes.places(), 0);
     rate_of_others_ = 0;
     std::size_t chosen = 0, all = 0;
     parts.each_part(items, [&](auto& part, auto& estimated) {
-      estimated.patches.clear();
+      const auto& patches = part.patches();
+      const Deal& deal = part.deal();
+      std::vector<std::size_t> chosen_in(patches.size());
       estimated.resistance.resize(part.blocks().size());
-      for (std::size_t p = 0; p < part.patches().size(); ++p) {
-        const std::size_t before = chosen;
-        for (std::size_t b = part.patches()[p].first_block; b < part.patches()[p].last_block; ++b)
-          chosen += choose_in_block(part, estimated, b, dt, nodes, near, masses_, rate_of_others_);
-        if (chosen > before) estimated.patches.push_back(p);
+      for (std::size_t p = deal.first(); p < deal.last(); ++p)
+        for (std::size_t b = patches[p].first_block; b < patches[p].last_block; ++b)
+          chosen_in[p] += choose_in_block(part, estimated, b, dt, nodes, near, masses_, rate_of_others_);
+      deal.exchange_patches(nodes.ranks(), chosen_in);
+      estimated.patches.clear(), estimated.own_patches.clear();
+      for (std::size_t p = 0; p < patches.size(); ++p) {
+        chosen += chosen_in[p];
+        if (chosen_in[p] == 0) continue;
+        estimated.patches.push_back(p);
+        if (p >= deal.first() && p < deal.last()) estimated.own_patches.push_back(p);
       }
+      for (std::size_t kind = 0; kind < kinds; ++kind) gather(part, estimated, nodes, masses_[kind]);
       all += part.size();
       if constexpr (std::decay_t<decltype(part)>::averages_volume)
         estimated.volume = std::decay_t<decltype(estimated.volume)>(nodes.places());
     });
+    for (auto& masses : masses_) masses.resize(nodes.size());
+    rate_of_others_ = largest_of_ranks(nodes.ranks(), rate_of_others_);
     return static_cast<double>(chosen) / static_cast<double>(all);
   }
 
@@ -170,7 +184,8 @@ class MeshResistance {
                         const Execution& execution) const {
     parts.each_part(items, [&](const auto& part, auto& estimated) {
       const auto for_each_patch = [&](const auto& f) {
-        execution.for_each(estimated.patches.size(), [&](std::size_t k) { f(part.patches()[estimated.patches[k]]); });
+        execution.for_each(estimated.own_patches.size(),
+                           [&](std::size_t k) { f(part.patches()[estimated.own_patches[k]]); });
       };
       for_each_patch([&](const Patch& patch) {
         for (std::size_t kind = 0; kind < kinds; ++kind) part.patches().refresh(patch, q[kind], product[kind]);
@@ -178,15 +193,22 @@ class MeshResistance {
       if constexpr (std::decay_t<decltype(part)>::averages_volume) {
         estimated.volume.clear();
         for_each_patch([&](const Patch& patch) { add_chosen_volumes(part, estimated, patch, nodes, q[0]); });
+        estimated.volume.exchange(part.deal(), nodes.ranks());
         estimated.volume.update(part.patches());
       }
       for_each_patch([&](const Patch& patch) { subtract_chosen(part, estimated, patch, nodes, q, product); });
-      for (const std::size_t p : estimated.patches)
-        for (std::size_t kind = 0; kind < kinds; ++kind) part.patches().gather(part.patches()[p], product[kind]);
+      for (std::size_t kind = 0; kind < kinds; ++kind) gather(part, estimated, nodes, product[kind]);
     });
   }
 
  private:
+  /// Adds up what the patches with chosen elements have of a field at each node, patch after patch, for all processes.
+  template <class Part, class Estimated, class Field>
+  static void gather(const Part& part, const Estimated& estimated, const Nodes& nodes, Field& field) {
+    part.deal().exchange_nodes(nodes.ranks(), field), part.deal().exchange_ghosts(nodes.ranks(), field);
+    for (const std::size_t p : estimated.patches) part.patches().gather(part.patches()[p], field);
+  }
+
   Masses masses_;
   double rate_of_others_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <strike/dynamics/subcycling.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/nodes.hpp>
+#include <strike/motion/ranks.hpp>
 #include <strike/pick.hpp>
 #include <strike/range.hpp>
 #include <strike/scalar/scalar.hpp>
@@ -23,8 +24,8 @@ template <class T, class Node = LaneOf<T>>
 struct In {
   using Number = T;
   using NodeReal = Node;
-  template <bool turn>
-  using Nodes = strike::Nodes<Node, LaneOf<T>, turn>;
+  template <bool turn, class Ranks = Alone>
+  using Nodes = strike::Nodes<Node, LaneOf<T>, turn, Ranks>;
   static constexpr bool is_scalar = Scalar<T>;
   static_assert(is_scalar,
                 "strike: in<T> names the number in the formulas: double, Pack<double, N>, Pack<float, N> or a Dual.");
@@ -127,6 +128,10 @@ class Method {
   using Bound = detail::PolicyOf<detail::StepBoundKind, Policies...>;
   using Damping = detail::PolicyOf<detail::DampingKind, Policies...>;
   using Cycle = detail::PolicyOf<detail::CycleKind, Policies...>;
+  /// The processes of a run, by its execution, and its nodes.
+  using Ranks = decltype(detail::ranks_of(std::declval<Execution>()));
+  template <bool turn>
+  using Nodes = typename Numbers::template Nodes<turn, Ranks>;
 
  private:
   using Fault = detail::MethodFault;

@@ -30,6 +30,12 @@ class NodalVolume {
     add<T, n>(volume, volume_, nodes, count);
     add<T, n>(reference, reference_, nodes, count);
   }
+  /// Gives all processes what the patches of each have added.
+  template <class Deal, class Ranks>
+  void exchange(const Deal& deal, const Ranks& ranks) {
+    exchange(deal, ranks, volume_);
+    if constexpr (loses_elements) exchange(deal, ranks, reference_);
+  }
   /// Adds up what patches have of a node, patch after patch, as the reference.
   void begin(const Patches& patches) {
     sum(patches, volume_);
@@ -58,6 +64,10 @@ class NodalVolume {
   }
 
  private:
+  template <class Deal, class Ranks>
+  static void exchange(const Deal& deal, const Ranks& ranks, std::vector<Real>& field) {
+    deal.exchange_nodes(ranks, field), deal.exchange_ghosts(ranks, field);
+  }
   template <class T, std::size_t n>
   static void add(const T& change, std::vector<Real>& field, const BlockNodes<n, lanes<T>>& nodes, std::size_t count) {
     for (const auto& corner : nodes)

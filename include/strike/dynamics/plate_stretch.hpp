@@ -18,8 +18,8 @@ double largest_stretch(const Part& part, const Nodes& nodes) {
   using T = typename Part::Number;
   double largest = 1;
   using Positions = Eigen::Matrix<T, 3, static_cast<int>(Part::n)>;
-  if constexpr (requires(const Positions x) { part.element().stretch(part.blocks()[0].state, x); }) {
-    for (std::size_t b = 0; b < part.blocks().size(); ++b) {
+  if constexpr (requires(const Positions x) { part.element().stretch(part.blocks().begin()->state, x); }) {
+    for (std::size_t b = part.blocks().first(); b < part.blocks().last(); ++b) {
       const auto& block = part.blocks()[b];
       Positions x = Positions::Zero();
       for (std::size_t k = 0; k < Part::n; ++k)
@@ -38,7 +38,7 @@ double largest_stretch(const Part& part, const Nodes& nodes) {
       }
     }
   }
-  return largest;
+  return part.deal().is_dealt() ? largest_of_ranks(part.ranks(), largest) : largest;
 }
 
 /// A sentence on plates that are 5 % larger than at rest, or more, and as thick as ever; empty: there are none.

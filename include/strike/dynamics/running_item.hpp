@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <strike/dynamics/any_part.hpp>
+#include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/item.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/running_part.hpp>
@@ -19,19 +20,19 @@ namespace strike::detail {
 template <class Item, class Method, class Nodes>
 struct RunningItem {
   using type = Item;
-  static Item start(Item& item, Nodes&, std::vector<std::vector<Index>>&, std::size_t&) { return std::move(item); }
+  static Item start(Item& item, Nodes&, Arrangement&, std::size_t&) { return std::move(item); }
 };
 template <class E, class M, std::size_t n, class R, class Method, class Nodes>
 struct RunningItem<Part<E, M, n, R>, Method, Nodes> {
   using Element = typename Method::Bound::template Element<E>;
   using Material = typename Method::Bound::template Material<M>;
   using type = RunningPart<Element, Material, typename Method::Numbers::Number, Nodes, R>;
-  static type start(Part<E, M, n, R>& part, Nodes& nodes, std::vector<std::vector<Index>>& orders,
-                    std::size_t& number) {
+  static type start(Part<E, M, n, R>& part, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     const std::size_t mine = number++;
     return type(
         {Element{std::move(part.element)}, Material{std::move(part.material)}, std::move(part.cells), part.removal},
-        nodes, mine, std::move(orders[mine]));
+        nodes, mine, std::move(arrangement.cells[mine]),
+        arrangement.is_dealt ? std::optional(arrangement.places[mine]) : std::nullopt);
   }
 };
 
@@ -39,22 +40,20 @@ template <class Item, class Method, class Nodes>
 struct RunningItem<std::vector<Item>, Method, Nodes> {
   using One = RunningItem<Item, Method, Nodes>;
   using type = std::vector<typename One::type>;
-  static type start(std::vector<Item>& items, Nodes& nodes, std::vector<std::vector<Index>>& orders,
-                    std::size_t& number) {
+  static type start(std::vector<Item>& items, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     type started;
     started.reserve(items.size());
-    for (Item& item : items) started.push_back(One::start(item, nodes, orders, number));
+    for (Item& item : items) started.push_back(One::start(item, nodes, arrangement, number));
     return started;
   }
 };
 template <class... Items, class Method, class Nodes>
 struct RunningItem<std::variant<Items...>, Method, Nodes> {
   using type = std::variant<typename RunningItem<Items, Method, Nodes>::type...>;
-  static type start(std::variant<Items...>& item, Nodes& nodes, std::vector<std::vector<Index>>& orders,
-                    std::size_t& number) {
+  static type start(std::variant<Items...>& item, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     std::optional<type> started;
     with_alternative(item, [&]<class Item, std::size_t i>(Item& one, std::integral_constant<std::size_t, i>) {
-      started.emplace(std::in_place_index<i>, RunningItem<Item, Method, Nodes>::start(one, nodes, orders, number));
+      started.emplace(std::in_place_index<i>, RunningItem<Item, Method, Nodes>::start(one, nodes, arrangement, number));
     });
     return std::move(*started);
   }

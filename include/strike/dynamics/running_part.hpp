@@ -3,13 +3,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <strike/dynamics/advance.hpp>
 #include <strike/dynamics/cloud.hpp>
+#include <strike/dynamics/deal.hpp>
 #include <strike/dynamics/debris.hpp>
 #include <strike/dynamics/elements.hpp>
 #include <strike/dynamics/mass_scaling.hpp>
@@ -21,6 +25,7 @@
 #include <strike/motion/gather.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/nodes.hpp>
+#include <strike/motion/ranks.hpp>
 #include <strike/text.hpp>
 
 namespace strike {
@@ -30,6 +35,7 @@ template <class E, class M, class T, class Nodes = strike::Nodes<LaneOf<T>, Lane
           class Removal = NoErosion>
 class RunningPart {
   using Elements = detail::Elements<E, M, T, Removal>;
+  using Ranks = typename Nodes::Ranks;
 
  public:
   static constexpr std::size_t n = Elements::n, width = Elements::width;
@@ -39,14 +45,20 @@ class RunningPart {
   using Number = T;
   using State = typename Elements::State;
   using Block = typename Elements::Block;
+  /// Particles see each other, and are born of any element.
+  static constexpr bool can_be_dealt = !sees_neighbours && !is_born;
   static constexpr bool scales_mass = requires(State state) { state.mass_factor; };
 
-  /// `order` names every element once, in the order in which they are to lie in memory.
-  RunningPart(Part<E, M, n, Removal> part, Nodes& nodes, std::size_t number, std::vector<Index> order)
+  /// `order` names every element once, in the order in which they are to lie in memory. With its place in the scene
+  /// the part is dealt to the processes of the run, else each works on all of it.
+  RunningPart(Part<E, M, n, Removal> part, Nodes& nodes, std::size_t number, std::vector<Index> order,
+              const std::optional<detail::PlaceInScene>& place = {})
       : elements_{std::move(part.element), std::move(part.material), part.removal, part.cells.size(), number,
-                  std::move(order)} {
+                  std::move(order)},
+        ranks_(nodes.ranks()) {
     detail::check_material(elements_.material, number);
     lay_out(part.cells, nodes);
+    deal_ = can_be_dealt && place ? detail::Deal(patches_, size(), width, *place, ranks_) : detail::Deal(patches_);
     if constexpr (sees_neighbours) cloud_ = detail::Cloud<T>(elements_, part.cells.volumes);
     outcomes_.resize(patches_.size());
     for (std::size_t p = 0; p < patches_.size(); ++p) {
@@ -56,9 +68,7 @@ class RunningPart {
     if constexpr (is_born) births_.begin(elements_, nodes);
     if constexpr (averages_volume) {
       volume_ = Volume(nodes.places());
-      sum_volumes(nodes, [](std::size_t patches, const auto& f) {
-        for (std::size_t p = 0; p < patches; ++p) f(p);
-      });
+      for (std::size_t p = 0; p < patches_.size(); ++p) add_volumes(p, nodes);
       volume_.begin(patches_);
     }
   }
@@ -74,18 +84,21 @@ class RunningPart {
   StableStep compute_forces(Nodes& nodes, Ledger& ledger, const Execution& execution, const Schedule& schedule) {
     if constexpr (averages_volume) {
       volume_.clear();
-      sum_volumes(nodes, [&](std::size_t patches, const auto& f) { execution.for_each(patches, f); });
+      execution.for_each(deal_.size(), [&](std::size_t k) { add_volumes(deal_.first() + k, nodes); });
+      volume_.exchange(deal_, ranks_);
       volume_.update(patches_);
     }
     if constexpr (sees_neighbours)
       cloud_.compute_forces(elements_, patches_, nodes, outcomes_, schedule.dt(0), execution);
     else
-      execution.for_each(patches_.size(), [&](std::size_t p) {
+      execution.for_each(deal_.size(), [&](std::size_t k) {
+        const std::size_t p = deal_.first() + k;
         if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
         schedule.load(patches_, patches_[p]);
         outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
         patches_.store(patches_[p], nodes);
       });
+    exchange(nodes);
     patches_.store_ghosts(nodes, execution);
     return book(nodes, ledger);
   }
@@ -144,7 +157,7 @@ class RunningPart {
   /// Number of elements that the last step has deleted; 0 of a part without a removal law.
   std::size_t newly_deleted() const { return newly_deleted_.count; }
   /// By the numbers of the elements, false if deleted.
-  std::vector<bool> alive() const { return elements_.alive(); }
+  std::vector<bool> alive() const { return in_order<bool>(elements_.alive()); }
   /// The internal energy of the material at rest, such as that of a gas under pressure.
   double stored_energy() const { return detail::stored_energy(material(), mass_); }
   /// The place of the part among those of the scene, from 0.
@@ -155,17 +168,17 @@ class RunningPart {
   const M& material() const { return elements_.material; }
 
   /// The blocks of elements in memory, the patches that they form, and the lanes of a block that hold elements.
-  const std::vector<Block>& blocks() const { return elements_.blocks; }
-  std::vector<Block>& blocks() { return elements_.blocks; }
+  const detail::Blocks<Block>& blocks() const { return elements_.blocks; }
+  detail::Blocks<Block>& blocks() { return elements_.blocks; }
   const detail::Patches& patches() const { return patches_; }
   std::size_t count(std::size_t b) const { return elements_.count(b); }
   /// The outcome of the last step for each patch.
   const std::vector<detail::Outcome>& outcomes() const { return outcomes_; }
   /// The cells by the numbers of elements and nodes as given; wedges and pyramids by canonical_hexahedron.
   Cells<n> cells(const Nodes& nodes) const {
-    Cells<n> cells(size());
-    for (std::size_t p = 0; p < size(); ++p) cells[elements_.order[p]] = elements_.cell(nodes, p);
-    return cells;
+    std::vector<std::array<Index, n>> cells(size());
+    for (std::size_t p = first_place(); p < last_place(); ++p) cells[p] = elements_.cell(nodes, p);
+    return Cells<n>(in_order<std::array<Index, n>>(std::move(cells)));
   }
 
   /// A value per element, the mean over its points of f(state of a point), a number or a tensor:
@@ -173,33 +186,39 @@ class RunningPart {
   /// Of a plate also of f(section, its state), such as Delamination.
   template <class F>
   auto field(F f) const {
-    return elements_.field(f);
+    return in_order(elements_.field(f));
   }
   /// The same for layer k of a plate, from 0 at its bottom; also of f(section, its state, k). Error: no such layer.
   template <class F>
   auto field(std::size_t k, F f) const {
-    return elements_.field(k, f);
+    return in_order(elements_.field(k, f));
   }
 
   void ranges(const auto& number) const {
     number(elements_.element), number(elements_.material), number(elements_.removal);
   }
   /// "element 7 of part 0 at (x, y, z)", by its number as given. Error: no such element.
-  std::string describe(const Nodes& nodes, std::size_t e) const {
-    return elements_.describe(nodes, elements_.place_of(e));
-  }
+  std::string describe(const Nodes& nodes, std::size_t e) const { return describe_at(nodes, elements_.place_of(e)); }
 
   /// The same of the first element whose state is NaN; empty: there is none.
-  std::string describe_nan(const Nodes& nodes) const { return elements_.describe_nan(nodes); }
+  std::string describe_nan(const Nodes& nodes) const {
+    const std::string mine = elements_.describe_nan(nodes);
+    return deal_.is_dealt() ? detail::first_of_ranks(ranks_, mine) : mine;
+  }
+
+  /// The processes of the run, and the patches that each works on.
+  const Ranks& ranks() const { return ranks_; }
+  const detail::Deal& deal() const { return deal_; }
+  /// Leaves the states of the elements of other processes to them.
+  void keep_own() {
+    if (!deal_.is_dealt()) return;
+    elements_.blocks.keep(first_block(deal_.first()), first_block(deal_.last()));
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive.same(detail::name_of<RunningPart>(), elements_.size, elements_.order);
-    for (Block& block : elements_.blocks) {
-      archive.same(block.nodes);
-      visit_numbers<T>(block.state, block.state, [&](auto numbers, auto) { archive(numbers); });
-      if constexpr (erodes) archive(numbers_of<T>(block.removal));
-    }
+    serialize_blocks(archive);
     archive(volume_, cloud_, births_, newly_deleted_, deletions_);
   }
 
@@ -265,13 +284,87 @@ class RunningPart {
   static T mass_of(const T& mass) { return mass; }
   static T mass_of(const NodalInertia<T>& given) { return given.mass; }
 
-  /// Adds the volumes of the elements at their nodes, patch by patch.
-  template <class ForEach>
-  void sum_volumes(Nodes& nodes, const ForEach& for_each) {
-    for_each(patches_.size(), [&](std::size_t p) {
-      patches_.load(patches_[p], nodes);
-      detail::add_volumes(elements_, patches_[p], nodes.motion(), volume_);
-    });
+  /// f(a span of numbers) for the numbers of a block that a step changes.
+  template <class F>
+  static void each_number(Block& block, const F& f) {
+    visit_numbers<T>(block.state, block.state, [&](auto numbers, auto) { f(numbers); });
+    if constexpr (erodes) f(numbers_of<T>(block.removal));
+  }
+  template <class Archive>
+  void serialize_blocks(Archive& archive) {
+    const auto keep = [&](auto numbers) { archive(numbers); };
+    if (deal_.is_dealt()) return serialize_dealt_blocks(archive, keep);
+    for (Block& block : elements_.blocks) {
+      archive.same(block.nodes);
+      each_number(block, keep);
+    }
+  }
+  /// The same bytes, process after process.
+  template <class Archive, class Keep>
+  void serialize_dealt_blocks(Archive& archive, const Keep& keep) {
+    Block of_others = *blocks().begin();
+    const auto append = [](std::string& bytes, const void* from, std::size_t count) {
+      bytes.append(static_cast<const char*>(from), count);
+    };
+    for (std::size_t r = 0; r < ranks_.size(); ++r) {
+      const std::size_t first = first_block(deal_.first_of(r)), last = first_block(deal_.last_of(r));
+      const bool is_mine = r == ranks_.rank();
+      std::string nodes, numbers;
+      if (is_mine)
+        for (std::size_t b = first; b < last; ++b) {
+          Block& block = blocks()[b];
+          append(nodes, &block.nodes, sizeof block.nodes);
+          if (!archive.reads())
+            each_number(block, [&](const auto& some) { append(numbers, some.data(), some.size_bytes()); });
+        }
+      nodes = detail::of_rank(ranks_, r, std::move(nodes));
+      for (std::size_t at = 0; at < nodes.size(); at += sizeof of_others.nodes)
+        archive.same(std::string_view(nodes).substr(at, sizeof of_others.nodes));
+      if (archive.reads()) {
+        for (std::size_t b = first; b < last; ++b) each_number(is_mine ? blocks()[b] : of_others, keep);
+      } else {
+        numbers = detail::of_rank(ranks_, r, std::move(numbers));
+        keep(std::span(numbers));
+      }
+    }
+  }
+  std::size_t first_block(std::size_t p) const {
+    return p < patches_.size() ? patches_[p].first_block : blocks().size();
+  }
+
+  /// Adds the volumes of the elements of a patch at its nodes.
+  void add_volumes(std::size_t p, Nodes& nodes) {
+    patches_.load(patches_[p], nodes);
+    detail::add_volumes(elements_, patches_[p], nodes.motion(), volume_);
+  }
+  /// Gives all processes the forces of the patches of each, and the outcomes.
+  void exchange(Nodes& nodes) {
+    if (!deal_.is_dealt()) return;
+    deal_.exchange_nodes(ranks_, nodes.force());
+    deal_.exchange_ghosts(ranks_, nodes.motion().force);
+    if constexpr (Nodes::nodes_turn) {
+      deal_.exchange_nodes(ranks_, nodes.moment());
+      deal_.exchange_ghosts(ranks_, nodes.motion().moment);
+    }
+    deal_.exchange_patches(ranks_, outcomes_);
+  }
+
+  /// The places of the elements whose blocks are kept.
+  std::size_t first_place() const { return blocks().first() * width; }
+  std::size_t last_place() const { return std::min(blocks().last() * width, size()); }
+  /// Values that each process has of its elements, place by place, by the numbers of all elements.
+  template <class To = void, class Value>
+  auto in_order(std::vector<Value> values) const {
+    deal_.exchange_elements(ranks_, values);
+    std::vector<std::conditional_t<std::is_void_v<To>, Value, To>> ordered(values.size());
+    for (std::size_t p = 0; p < size(); ++p) ordered[elements_.order[p]] = values[p];
+    return ordered;
+  }
+  std::string describe_at(const Nodes& nodes, std::size_t place) const {
+    if (!deal_.is_dealt()) return elements_.describe(nodes, place);
+    const std::size_t b = place / width;
+    const bool is_mine = deal_.size() > 0 && b >= blocks().first() && b < blocks().last();
+    return detail::first_of_ranks(ranks_, is_mine ? elements_.describe(nodes, place) : std::string{});
   }
 
   /// Books the work of the patches in their order and returns the least stable step.
@@ -281,7 +374,7 @@ class RunningPart {
     double internal = 0, hourglass = 0, bulk_viscosity = 0;
     for (const detail::Outcome& outcome : outcomes_) {
       if (!(outcome.inverted_volume > 0))
-        detail::explain_inversion(elements_.describe(nodes, outcome.inverted), outcome.inverted_volume);
+        detail::explain_inversion(describe_at(nodes, outcome.inverted), outcome.inverted_volume);
       if (const double dt = 1 / outcome.critical_rate; dt < stable.dt)
         stable.dt = dt, stable.element = elements_.order[outcome.slowest];
       internal += outcome.internal_work;
@@ -308,6 +401,8 @@ class RunningPart {
   struct NothingScaled {};
 
   Elements elements_;
+  [[no_unique_address]] Ranks ranks_;
+  detail::Deal deal_;
   double mass_ = 0;
   detail::Patches patches_;
   std::vector<detail::Outcome> outcomes_;

@@ -28,8 +28,8 @@ struct NothingBefore {
 
 /// A scene at work: its nodes in the numbers of a run and its items with their types, and the ways to reach them.
 template <class Method, class... Items>
-class RunningScene : public AnyRun<Method, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>> {
-  using Base = AnyRun<Method, typename Method::Numbers::template Nodes<Scene<Items...>::nodes_turn>>;
+class RunningScene : public AnyRun<Method, typename Method::template Nodes<Scene<Items...>::nodes_turn>> {
+  using Base = AnyRun<Method, typename Method::template Nodes<Scene<Items...>::nodes_turn>>;
 
  public:
   using typename Base::Nodes;
@@ -88,7 +88,7 @@ class RunningScene : public AnyRun<Method, typename Method::Numbers::template No
   RunningScene(Scene<Items...>& scene, Arrangement arrangement, const ExplicitOptions& options = {},
                const Method& method = Method())
       : Base(scene.nodes, std::move(arrangement.nodes), options, method),
-        items_(start(scene.items, this->nodes_, std::move(arrangement.cells))) {
+        items_(start(scene.items, this->nodes_, arrangement)) {
     list_items();
     if constexpr (has_debris) begin_debris();
   }
@@ -119,6 +119,12 @@ class RunningScene : public AnyRun<Method, typename Method::Numbers::template No
   template <class F>
   void each(const F& f) const {
     each_item(items_, f);
+  }
+  /// Each process keeps the states of its own elements.
+  void keep_own() {
+    each([](auto& item) {
+      if constexpr (is_running_part<std::remove_cvref_t<decltype(item)>>) item.keep_own();
+    });
   }
   /// The sizes of its lists and the numbers of its alternatives, in their order.
   std::vector<std::size_t> chosen_late() const {
@@ -168,11 +174,12 @@ class RunningScene : public AnyRun<Method, typename Method::Numbers::template No
       ++place;
     });
   }
-  static RunningItems start(std::tuple<Items...>& items, Nodes& nodes, std::vector<std::vector<Index>> orders) {
+  static RunningItems start(std::tuple<Items...>& items, Nodes& nodes, Arrangement& arrangement) {
+    arrangement.is_dealt = !has_debris;  // which needs the states of what it comes from
     std::size_t part = 0;
     return std::apply(
         [&](auto&... item) {
-          return RunningItems{RunningItem<Items, Method, Nodes>::start(item, nodes, orders, part)...};
+          return RunningItems{RunningItem<Items, Method, Nodes>::start(item, nodes, arrangement, part)...};
         },
         items);
   }

@@ -198,8 +198,12 @@ class Subcycling::Running {
   void serialize(Archive& archive) {
     archive.same(multiple_);
     for (const Pace& pace : paces_) archive.same(pace.slow);
-    archive(done_, duration_, mean_.velocity);
-    if constexpr (Nodes::nodes_turn) archive(mean_.angular_velocity);
+    archive(done_, duration_);
+    const auto keep = [&](auto& field) {
+      for (const Index i : places_) archive(field[i]);
+    };
+    keep(mean_.velocity);
+    if constexpr (Nodes::nodes_turn) keep(mean_.angular_velocity);
   }
 
  private:

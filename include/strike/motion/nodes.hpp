@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -16,6 +17,7 @@
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/motion.hpp>
+#include <strike/motion/ranks.hpp>
 #include <strike/motion/rigid_motion.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
@@ -26,7 +28,7 @@ namespace strike {
 /// elements turn them (`turn`) their angular velocity w and moment too, and one moment of inertia for all directions.
 /// Stored as Real; the interface uses double, or Dual. Node i is in memory at place(i), chosen for locality. Elements
 /// work on `motion()` of ElementReal: the nodes' own, or if that is of another precision a copy.
-template <class Real, class ElementReal = Real, bool turn = false>
+template <class Real, class ElementReal = Real, bool turn = false, class RanksOfRun = Alone>
 class Nodes {
   using Plain = RealOf<Real>;
 
@@ -35,10 +37,11 @@ class Nodes {
   /// Number of the interface: double or Dual.
   using Number = typename detail::NodalNumber<Real>::Value;
   using Vector = Vector3<Number>;
+  using Ranks = RanksOfRun;
 
   /// `order` names every node once, in the order of their places.
-  Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order)
-      : own_(X.size()), mass_(X.size()), number_(std::move(order)), place_(X.size()) {
+  Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order, const Ranks& ranks = {})
+      : own_(X.size()), mass_(X.size()), number_(std::move(order)), place_(X.size()), ranks_(ranks) {
     detail::check_count("elements of a run", static_cast<double>(X.size()));
     if constexpr (elements_have_copy) copy_ = Motion<ElementReal, turn>(X.size());
     if constexpr (turn) inertia_.resize(X.size());
@@ -47,6 +50,8 @@ class Nodes {
   }
 
   std::size_t size() const { return mass_.size(); }
+  /// The processes that share the elements; each has all nodes.
+  const Ranks& ranks() const { return ranks_; }
 
   // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
   const Vector x(std::size_t i) const { return vector_of(own_.position[place_[i]]); }
@@ -178,8 +183,9 @@ class Nodes {
   template <class Archive>
   void serialize(Archive& archive) {
     archive.same(place_, mass_, inertia_);
-    archive(own_.position, own_.velocity, own_.force);
-    if constexpr (turn) archive(own_.angular_velocity, own_.moment);
+    const auto without_ghosts = [&](NodalField<Real>& field) { archive(std::span(field).first(size())); };
+    for (NodalField<Real>* field : {&own_.position, &own_.velocity, &own_.force}) without_ghosts(*field);
+    if constexpr (turn) without_ghosts(own_.angular_velocity), without_ghosts(own_.moment);
     for (RigidMotion& body : bodies_) archive(body);
   }
 
@@ -207,6 +213,7 @@ class Nodes {
   [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal, turn>, None> copy_;
   std::vector<Plain> mass_, inertia_;
   std::vector<Index> number_, place_;
+  [[no_unique_address]] Ranks ranks_;
   detail::HeldDirections held_, held_turns_;
   static constexpr Index no_body = std::numeric_limits<Index>::max();
   std::vector<Index> body_of_;  // node by node, if there are bodies

@@ -15,6 +15,7 @@
 #include <strike/output/archive.hpp>
 #include <strike/output/file.hpp>
 #include <strike/output/wall_clock.hpp>
+#include <strike/process.hpp>
 #include <strike/range.hpp>
 #include <strike/text.hpp>
 
@@ -267,7 +268,8 @@ class Checkpoint {
   bool resume(Run& run, Observers observers) {
     start_clocks(run);
     detail::remove_part_of(path_);
-    if (options_.restart == Restart::never || !detail::file_exists(path_)) return false;
+    if (options_.restart == Restart::never || !detail::first_says([&] { return detail::file_exists(path_); }))
+      return false;
     All<Run, Observers> all{run, companions_, observers};
     read_checkpoint(path_, all);
     start_clocks(run);
@@ -276,13 +278,18 @@ class Checkpoint {
   /// Writes the file if it is due: after each step, after the other observers.
   template <class Run, class Observers>
   void save(Run& run, Observers observers) {
-    if (run.time() < next_ && detail::wall_clock() < alarm_) return;
+    if (run.time() < next_ && !is_time()) return;
     All<Run, Observers> all{run, companions_, observers};
     write_checkpoint(path_, all);
     start_clocks(run);
   }
 
  private:
+  /// By the clock of the first process.
+  bool is_time() const {
+    return alarm_ < std::numeric_limits<double>::infinity() &&
+           detail::first_says([&] { return detail::wall_clock() >= alarm_; });
+  }
   template <class Run>
   void start_clocks(const Run& run) {
     next_ = run.time() + options_.interval;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <strike/error.hpp>
+#include <strike/process.hpp>
 #include <strike/text.hpp>
 
 #include <fcntl.h>
@@ -40,18 +41,20 @@ namespace strike::detail {
   return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
 
-/// A file being written. Its folder is made if it is not there; the old content stays until the first `write`. When
-/// `write` returns, the operating system has the text, so that it survives a crash of the program. A text for which the
-/// disk has no room is not in the file, not even its first half.
+/// A file being written; of several processes the first one writes. Its folder is made if it is not there; the old
+/// content stays until the first `write`. When `write` returns, the operating system has the text, so that it survives
+/// a crash of the program. A text for which the disk has no room is not in the file, not even its first half.
 class OutputFile {
  public:
   [[gnu::cold]] explicit OutputFile(std::string path) : path_(std::move(path)) {
-    make_folder_of(path_);
-    file_ = std::fopen(path_.c_str(), "ab");
-    if (!file_)
-      throw Error(detail::joined({"strike: the file '", path_,
-                                  "' cannot be opened for writing: choose a path in a folder that you may write to."}));
-    std::setvbuf(file_, nullptr, _IONBF, 0);
+    by_first([&] {
+      make_folder_of(path_);
+      file_ = std::fopen(path_.c_str(), "ab");
+      if (!file_)
+        throw Error(joined({"strike: the file '", path_,
+                            "' cannot be opened for writing: choose a path in a folder that you may write to."}));
+      std::setvbuf(file_, nullptr, _IONBF, 0);
+    });
   }
   OutputFile(OutputFile&& other) noexcept
       : path_(std::move(other.path_)), file_(std::exchange(other.file_, nullptr)), size_(other.size_) {}
@@ -66,20 +69,24 @@ class OutputFile {
   }
 
   void write(std::string_view text) {
-    if (size_ == 0) cut(0);
-    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
-      cut(size_);
-      refuse_text();
-    }
+    by_first([&] {
+      if (size_ == 0) cut(0);
+      if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
+        cut(size_);
+        refuse_text();
+      }
+    });
     size_ += text.size();
   }
 
   /// Continues after the first bytes of the old content and removes the rest. Error: the file is shorter.
   [[gnu::cold]] void go_on_behind(std::uint64_t bytes) {
-    cut(bytes);
-    if (std::uint64_t there = 0; !has_size(path_, there) || there != bytes)
-      throw Error(joined(
-          {"strike: the file '", path_, "' is not as long as when the run was saved: put it back, or start anew."}));
+    by_first([&] {
+      cut(bytes);
+      if (std::uint64_t there = 0; !has_size(path_, there) || there != bytes)
+        throw Error(joined(
+            {"strike: the file '", path_, "' is not as long as when the run was saved: put it back, or start anew."}));
+    });
     size_ = bytes;
   }
   /// Size of the text written [bytes].
@@ -87,13 +94,17 @@ class OutputFile {
 
   /// Waits until the text is on the disk, as far as the operating system knows. Error: it is not.
   [[gnu::cold]] void sync() {
-    if (!is_on_disk(::fileno(file_))) refuse_text();
+    by_first([&] {
+      if (!is_on_disk(::fileno(file_))) refuse_text();
+    });
     is_synced_ = true;
   }
   bool is_synced() const { return is_synced_; }
   /// Error: the operating system has lost some of the text.
   [[gnu::cold]] void close() {
-    if (std::FILE* const file = std::exchange(file_, nullptr); file && std::fclose(file) != 0) refuse_text();
+    by_first([&] {
+      if (std::FILE* const file = std::exchange(file_, nullptr); file && std::fclose(file) != 0) refuse_text();
+    });
   }
 
   const std::string& path() const { return path_; }
@@ -146,6 +157,7 @@ class OutputFile {
 class PartFile {
  public:
   [[gnu::cold]] explicit PartFile(const std::string& target) : path_(joined({target, ".part"})) {
+    if (!this_process.is_first) return;
     make_folder_of(path_);
     do {
       unlock();
@@ -162,9 +174,14 @@ class PartFile {
 
   const std::string& path() const { return path_; }
 
-  /// True if the target has been replaced.
-  [[gnu::cold]] bool replace(const std::string& target) {
-    return is_moved_ = std::rename(path_.c_str(), target.c_str()) == 0;
+  /// Puts the file in the place of the target, which the user knows as `path`. Error: it stays where it is.
+  [[gnu::cold]] void replace(const std::string& target, const std::string& path) {
+    by_first([&] {
+      is_moved_ = std::rename(path_.c_str(), target.c_str()) == 0;
+      if (!is_moved_)
+        throw Error(joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
+                            "): close or remove what is there."}));
+    });
   }
 
  private:
@@ -185,6 +202,7 @@ class PartFile {
 
 /// Removes what a killed program has left of a new content.
 [[gnu::cold]] inline void remove_part_of(const std::string& path) {
+  if (!this_process.is_first) return;
   const std::string target = path_behind(path);
   if (::access(joined({target, ".part"}).c_str(), F_OK) == 0) PartFile{target};
 }
@@ -193,7 +211,7 @@ class PartFile {
 /// killed run. If `write` syncs the file, the disk has it under its name.
 template <std::invocable<OutputFile&> Write>
 void replace_file(const std::string& path, const Write& write) {
-  if (is_device(path)) {
+  if (first_says([&] { return is_device(path); })) {
     OutputFile file(path);
     write(file);
     return file.close();
@@ -205,10 +223,8 @@ void replace_file(const std::string& path, const Write& write) {
   write(file);
   const bool synced = file.is_synced();
   file.close();
-  if (!part.replace(target))
-    throw Error(detail::joined({"strike: the file '", path, "' cannot be replaced (", std::strerror(errno),
-                                "): close or remove what is there."}));
-  if (synced) sync_folder_of(target);
+  part.replace(target, path);
+  if (synced) by_first([&] { sync_folder_of(target); });
 }
 
 [[gnu::cold]] inline void replace_file(const std::string& path, std::string_view content) {

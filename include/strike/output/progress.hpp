@@ -13,6 +13,7 @@
 #endif
 
 #include <strike/output/wall_clock.hpp>
+#include <strike/process.hpp>
 #include <strike/range.hpp>
 
 namespace strike {
@@ -44,7 +45,7 @@ class Progress {
 #if __has_include(<unistd.h>)
     if (options.show == Show::on_terminal) shown = ::isatty(::fileno(options.stream)) == 1;
 #endif
-    if (!shown) next_look_ = never;
+    if (!shown || !detail::this_process.is_first) next_look_ = never;
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -1,0 +1,103 @@
+#pragma once
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <strike/error.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/motion/ranks.hpp>
+#include <strike/text.hpp>
+
+#if __has_include(<mpi.h>)
+#include <mpi.h>
+#endif
+
+namespace strike {
+
+#if __has_include(<mpi.h>)
+
+namespace detail {
+
+/// The processes of a communicator; see strike/motion/ranks.hpp.
+class MpiRanks {
+ public:
+  MpiRanks() = default;
+  explicit MpiRanks(MPI_Comm communicator) : communicator_(communicator) {
+    int is_running = 0;
+    MPI_Initialized(&is_running);
+    if (is_running == 0)
+      throw Error("strike: Mpi{} needs MPI at work: make a strike::MpiSession first in main, or call MPI_Init.");
+    int rank = 0, size = 1;
+    MPI_Comm_rank(communicator, &rank), MPI_Comm_size(communicator, &size);
+    rank_ = static_cast<std::size_t>(rank), size_ = static_cast<std::size_t>(size);
+  }
+
+  std::size_t rank() const { return rank_; }
+  std::size_t size() const { return size_; }
+  /// Error: a list of 2^31 numbers or more, which MPI cannot count.
+  template <class T>
+  void exchange(std::span<T> list, std::span<const std::size_t> ends) const {
+    if (size_ == 1) return;
+    if (list.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      throw Error(joined({"strike: a part has ", std::to_string(list.size()),
+                          " numbers to exchange, which MPI cannot count; make two parts of it."}));
+    std::vector<int> counts(size_), begins(size_);
+    for (std::size_t r = 0, begin = 0; r < size_; begin = ends[r++])
+      begins[r] = static_cast<int>(begin), counts[r] = static_cast<int>(ends[r] - begin);
+    MPI_Datatype type;
+    MPI_Type_contiguous(static_cast<int>(sizeof(T)), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    MPI_Allgatherv(MPI_IN_PLACE, 0, type, list.data(), counts.data(), begins.data(), type, communicator_);
+    MPI_Type_free(&type);
+  }
+
+ private:
+  MPI_Comm communicator_ = MPI_COMM_SELF;
+  std::size_t rank_ = 0, size_ = 1;
+};
+
+}  // namespace detail
+
+/// The processes of an MPI communicator, each of which works on a share of the elements, with threads of its own:
+///   Explicit run{scene, {}, Mpi{}};   Explicit run{scene, {}, Mpi{MPI_COMM_WORLD, OpenMP{16}}};
+/// All make the same run with the same results, bit for bit, for any number of processes and threads. What a run tells
+/// of its elements (field, cells, alive, warnings, checkpoints) all processes ask for together, or none.
+/// Programs make an MpiSession first and link the target strike::mpi.
+template <Execution Threads = Serial>
+struct Mpi {
+  MPI_Comm communicator = MPI_COMM_WORLD;
+  Threads threads{};
+
+  static constexpr bool is_available = true;
+
+  void ranges(const auto& number) const { number(threads); }
+
+  template <class F>
+  void for_each(std::size_t n, const F& f) const {
+    threads.for_each(n, f);
+  }
+  auto ranks() const { return detail::MpiRanks(communicator); }
+};
+Mpi() -> Mpi<>;
+Mpi(MPI_Comm) -> Mpi<>;
+template <class Threads>
+Mpi(MPI_Comm, Threads) -> Mpi<Threads>;
+
+#else
+
+/// Fallback without MPI: a run with it says what is missing.
+template <class...>
+struct Mpi {
+  static constexpr bool is_available = false;
+
+  explicit Mpi(const auto&...) {}
+  template <class F>
+  void for_each(std::size_t, const F&) const {}
+};
+Mpi() -> Mpi<>;
+
+#endif
+
+}  // namespace strike

@@ -1,0 +1,137 @@
+// Scenes that have the same bits on any number of processes and threads as on one, with every kind of element, item and
+// policy among them.
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "mpi/same_bits.hpp"
+
+using namespace strike;
+
+namespace {
+
+const MpiSession session;
+
+// Millimetres, milliseconds, kilograms; so kN, GPa and J.
+const LinearEos of_copper{.density = 8.93e-6, .bulk_modulus = 130};
+const VonMises hardening{.shear_modulus = 43, .yield_stress = .4, .hardening_modulus = .1};
+const Solid copper{of_copper, hardening};
+const Elastic rubber{.density = 1e-6, .youngs_modulus = .01, .poissons_ratio = .3};
+
+std::vector<Index> upper_half(const Mesh& mesh, double z) {
+  return nodes_where(mesh.nodes, [=](const Eigen::Vector3d& x) { return x.z() > z; });
+}
+
+}  // namespace
+
+TEST_CASE("a bar that strikes a wall, with its supports and loads") {
+  const Mesh bar = box({.size = {3, 3, 9}, .cells = {8, 8, 24}});
+  const auto scene = [&] {
+    return Scene{bar.nodes,
+                 Part{Hex8{}, copper, bar.hexahedra},
+                 InitialVelocity{{0, 0, -227}},
+                 RigidWall{{0, 0, 0}, {0, 0, 1}, .2},
+                 Symmetry{Axis::x, nodes_where(bar.nodes, on_plane(Axis::x, 0))},
+                 PrescribedVelocity{Axis::y, nodes_where(bar.nodes, on_plane(Axis::y, 0)), Constant{3}},
+                 NodalForce{{1, 0, 0}, upper_half(bar, 8.9)},
+                 BodyForce{{0, 0, -1}}};
+  };
+  const auto [run, alone] = testing::runs_alike(scene, 100);
+  const auto strain = [](const auto& state) { return state.equivalent_plastic_strain; };
+  CHECK(run.template part<0>().field(strain) == alone.template part<0>().field(strain));
+  CHECK(run.template part<0>().cells(run.nodes()) == bar.hexahedra);
+  Explicit serial{scene(), {.step_factor = .8, .print_warnings = false}};
+  for (int n = 0; n < 100; ++n) serial.step();
+  CHECK(serial.positions() == run.positions());
+  CHECK(serial.energy().held() == run.energy().held());
+  CHECK(serial.template part<0>().field(strain) == run.template part<0>().field(strain));
+}
+
+TEST_CASE("cells of several kinds that share nodes, in mixed precision, with a step of the mesh as a whole") {
+  const Mesh core = box({.size = {2, 2, 2}, .cells = {8, 8, 8}});
+  Mesh mesh = core;
+  append(mesh, tetrahedralized(translated(core, {0, 0, 2})));
+  mesh = merge_coincident_nodes(mesh, 1e-6);
+  Cells<4> skin;
+  for (const auto& cell : core.hexahedra)  // its sides at x = 0
+    if (core.nodes[cell[0]].x() == 0) skin.push_back({cell[0], cell[3], cell[7], cell[4]});
+  const auto scene = [&] {
+    return Scene{mesh.nodes,
+                 Part{Hex8{}, copper, mesh.hexahedra},
+                 Part{Tet4{}, copper, mesh.tetrahedra},
+                 Part{Plate4{}, Homogeneous{PlaneStress{copper}, .05}, skin},
+                 Support{nodes_where(mesh.nodes, on_plane(Axis::z, 0)), {unit(Axis::z)}, {unit(Axis::x)}},
+                 Pressure{surface(core), Constant{.01}},
+                 InitialVelocity{{0, 1, -20}, upper_half(mesh, 2)}};
+  };
+  const auto [run, alone] = testing::runs_alike(scene, 60, in<Pack<float>, double>, GlobalStep{});
+  CHECK(run.step_bound().estimates() == alone.step_bound().estimates());
+  CHECK(run.step_bound().products() > 3);
+}
+
+TEST_CASE("bodies that erode, touch and rub, with a rigid one and a tie") {
+  Mesh mesh = box({.size = {4, 4, 1}, .cells = {16, 16, 4}});
+  const Cells<8> plate = mesh.hexahedra;
+  append(mesh, translated(rotated(box({.size = {1, 1, 1}, .cells = {5, 5, 5}}), {1, .2, 0}, .2), {1.5, 1.5, 1.15}));
+  const Cells<8> striker(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(plate.size()), mesh.hexahedra.end());
+  const Mesh brick = translated(box({.size = {.5, .5, .5}, .cells = {3, 3, 3}}), {3, 3, 1.02});
+  const Index first = append(mesh, brick);
+  const Cells<8> rigid(mesh.hexahedra.end() - 27, mesh.hexahedra.end());
+  const Index rib = append(mesh, translated(box({.size = {2, .4, .4}, .cells = {7, 2, 2}}), {.3, .2, 1}));
+  const Cells<8> of_rib(mesh.hexahedra.end() - 28, mesh.hexahedra.end());
+  std::vector<Index> foot;
+  for (Index i = rib; i < mesh.nodes.size(); ++i)
+    if (mesh.nodes[i].z() < 1.01) foot.push_back(i);
+  std::vector<Index> flying;
+  for (Index i = static_cast<Index>(17 * 17 * 5); i < first; ++i) flying.push_back(i);
+  const auto scene = [&] {
+    return Scene{mesh.nodes,
+                 Part{Hex8{}, copper, plate, Erosion{.strain = .05}},
+                 Part{Hex8{}, copper, striker, Erosion{.strain = .3}},
+                 Part{MassScaled{Hex8{}, 2e-5}, copper, of_rib},
+                 RigidBody{Mesh{mesh.nodes, rigid}, 8e-6},
+                 Contact{Everything{}, Coulomb{.2}},
+                 Tied{foot, Surface{surface(Mesh{mesh.nodes, plate})}, .01},
+                 InitialVelocity{{30, 0, -250}, flying}};
+  };
+  const auto [run, alone] = testing::runs_alike(scene, 150);
+  CHECK(run.template part<0>().deleted() > 0);
+  CHECK(run.template part<2>().added_mass() == alone.template part<2>().added_mass());
+}
+
+TEST_CASE("particles, and what eroded elements become") {
+  const Mesh brick = box({.size = {2, 2, 2}, .cells = {7, 7, 7}});
+  Mesh mesh = brick;
+  const Mesh drop = translated(particles(BoxShape{.size = {2, 2, 2}, .cells = {6, 6, 6}}), {0, 0, 2.3});
+  append(mesh, drop);
+  const Fluid water{LinearEos{.density = 1e-6, .bulk_modulus = 2}};
+  const auto scene = [&] {
+    return Scene{mesh.nodes,
+                 Part{Hex8{}, copper, mesh.hexahedra, Erosion{.strain = .1}},
+                 Part{Particle{}, copper, particles_at_nodes(mesh.nodes, mesh.hexahedra), Debris{.of = 0}},
+                 Part{Particle{}, water, mesh.particles},
+                 RigidWall{{0, 0, 0}, {0, 0, 1}},
+                 InitialVelocity{{0, 0, -200}}};
+  };
+  const auto [run, alone] = testing::runs_alike(scene, 80);
+  CHECK(run.template part<0>().deleted() > 0);
+}
+
+TEST_CASE("parts chosen late, some of them slow, and a relaxation") {
+  const Mesh block = box({.size = {4, 1, 1}, .cells = {32, 8, 8}});
+  Cells<8> soft, hard;
+  for (const auto& cell : block.hexahedra) (block.nodes[cell[0]].x() < 2 ? soft : hard).push_back(cell);
+  Elastic stiff = rubber;
+  stiff.youngs_modulus *= 100;
+  const auto parts = [&] {
+    return std::vector<AnyPart<decltype(Part{Hex8{}, rubber, soft}), decltype(Part{Hex8{}, copper, soft})>>{
+        Part{Hex8{}, rubber, soft}, Part{Hex8{}, stiff, hard}};
+  };
+  const auto scene = [&] {
+    return Scene{block.nodes, parts(), Support{nodes_where(block.nodes, on_plane(Axis::x, 0)), {unit(Axis::x)}},
+                 BodyForce{{0, 0, -1e3}}};
+  };
+  const auto [slow, alone] = testing::runs_alike(scene, 60, Subcycling{});
+  CHECK(slow.cycle().multiple() > 1);
+  testing::runs_alike(scene, 60, DynamicRelaxation{});
+}
