@@ -4,6 +4,7 @@
 //   bash examples/run taylor_cylinder cells=6 layers=100
 //   bash examples/run taylor_cylinder scalar=float hourglass=0.05
 //   bash examples/run taylor_cylinder wall=unilateral
+//   bash examples/run taylor_cylinder ranks=2                           (on two processes, with the same bits)
 //   bash examples/run taylor_cylinder checkpoint=2 restart=if_there     (after whatever has ended it, it goes on)
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@
 #include <strike/strike.hpp>
 
 #include "support/options.hpp"
+#include "support/processes.hpp"
 
 using namespace strike;
 
@@ -101,7 +103,7 @@ void strike_wall(const Element& element, In<T> number, const Study& study, Recor
                      Symmetry{Axis::y, nodes_where(bar.nodes, on_plane(Axis::y, 0))},  //
                      Symmetry{Axis::z, study.unilateral ? nobody : foot},              //
                      RigidWall{{0, 0, 0}, {0, 0, 1}, study.unilateral ? all_nodes(bar.nodes) : nobody}},
-               ExplicitOptions{.step_factor = study.step_factor}, number};
+               ExplicitOptions{.step_factor = study.step_factor}, number, examples::Processes{}};
   const auto plastic_strain = [&] {
     return run.template part<0>().field([](const auto& state) { return state.equivalent_plastic_strain; });
   };
@@ -191,7 +193,8 @@ void report(const Study& study, const Record& record, const std::string& what) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return examples::run(count, arguments, [](examples::Options& options) {
+  return examples::run(count, arguments, [&](examples::Options& options) {
+    const examples::Session session(count, arguments);
     const Index cells = options.count("cells", 3), layers = options.count("layers", 50);
     const std::string scalar = options.choice("scalar", {"double", "float"});
     const std::string wall = options.choice("wall", {"held", "unilateral"});

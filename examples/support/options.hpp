@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <strike/error.hpp>
+#include <strike/process.hpp>
 
 namespace examples {
 
@@ -88,7 +89,7 @@ inline int run(int count, char** arguments, const std::function<void(Options&)>&
     program(options);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    if (strike::detail::this_process.is_first) std::fprintf(stderr, "%s\n", error.what());
     return EXIT_FAILURE;
   }
 }

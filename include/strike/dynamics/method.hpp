@@ -144,8 +144,10 @@ class Method {
   static_assert(fault != Fault::twice,
                 "strike: Explicit has been given two policies of one kind: leave one numbers, one execution, one bound "
                 "of the step, one damping, one cycle.");
-  static_assert(fault != Fault::not_available,
-                "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp, or compile with -fopenmp.");
+  static_assert(
+      fault != Fault::not_available,
+      "strike: OpenMP{} needs a compiler with OpenMP: link strike::openmp, or compile with -fopenmp; Mpi{} needs "
+      "MPI: link strike::mpi.");
   static_assert(fault != Fault::unfit_cycle,
                 "strike: Subcycling{} needs the steps of the elements and true times: leave out GlobalStep{} and "
                 "DynamicRelaxation{}.");

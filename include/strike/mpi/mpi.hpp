@@ -70,7 +70,12 @@ struct Mpi {
   MPI_Comm communicator = MPI_COMM_WORLD;
   Threads threads{};
 
-  static constexpr bool is_available = true;
+  static constexpr bool is_available = [] {
+    if constexpr (requires { Threads::is_available; })
+      return Threads::is_available;
+    else
+      return true;
+  }();
 
   void ranges(const auto& number) const { number(threads); }
 

@@ -24,7 +24,10 @@ class MpiSession {
   MpiSession& operator=(const MpiSession&) = delete;
   ~MpiSession() {
     detail::this_process = {is_first(), nullptr};
-    if (std::uncaught_exceptions() > uncaught_ && size_ > 1 && !all_arrive()) MPI_Abort(MPI_COMM_WORLD, 1);
+    if (std::uncaught_exceptions() > uncaught_ && size_ > 1 && !all_arrive()) {
+      std::fprintf(stderr, "strike: an error has left process %zu alone; the others are ended with it.\n", rank_);
+      MPI_Abort(MPI_COMM_WORLD, 1);
+    }
     if (begins_) MPI_Finalize();
   }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "conformance/numbers.hpp"
 #include "mpi/same_bits.hpp"
 
 using namespace strike;
@@ -108,4 +109,10 @@ TEST_CASE("an element that is inverted, and a balance that is lost, end all proc
   };
   refused(1e6, "inverted");
   refused(10, "energy balance");
+}
+
+TEST_CASE("wrong numbers of threads are refused") {
+  testing::WrongNumbers tried;
+  testing::refuses_wrong_numbers(Mpi{MPI_COMM_WORLD, OpenMP{1}}, tried,
+                                 [](const auto& changed) { return Method(changed).execution.ranks().size() > 0; });
 }
