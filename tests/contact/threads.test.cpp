@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -36,6 +38,42 @@ TEST_CASE("contact gives the same bits for any number of threads") {
   };
   const auto serial = after(Serial{});
   CHECK(serial == after(OpenMP{1}));
+  CHECK(serial == after(OpenMP{2}));
+  CHECK(serial == after(OpenMP{5}));
+}
+
+TEST_CASE("edges that cross give the same bits for any number of threads") {
+  // Two layers of bars that stand on their edges, across each other.
+  constexpr double side = 0.05, turned = 0.25 * std::numbers::pi;
+  const Mesh bar = translated(box({.size = {1, side, side}, .cells = {20, 1, 1}}), {-0.5, -0.5 * side, -0.5 * side});
+  const auto layer = [&](double z, double about) {
+    Mesh bars;
+    for (int k = 0; k < 6; ++k) append(bars, translated(rotated(bar, {1, 0, 0}, turned), {0, 0.15 * k - 0.371, z}));
+    return rotated(bars, {0, 0, 1}, about);
+  };
+  const Mesh lower = layer(0, 0);
+  Mesh mesh = lower;
+  std::vector<Index> upper;
+  for (Index i = append(mesh, layer(1.005 * std::numbers::sqrt2 * side, 1.4)); i < mesh.nodes.size(); ++i)
+    upper.push_back(i);
+  const Cells<8> of_upper(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(lower.hexahedra.size()),
+                          mesh.hexahedra.end());
+  const auto after = [&](auto execution) {
+    Explicit run{
+        Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra},
+              Contact{TwoWay{Surface{surface(Mesh{mesh.nodes, of_upper})}, Surface{surface(lower)}}, Coulomb{0.2}},
+              InitialVelocity{{0, 5, -20}, upper}},
+        {},
+        execution};
+    std::size_t most = 0;
+    for (int n = 0; n < 200; ++n) {
+      run.step();
+      most = std::max(most, run.template contact<0>().pairs().size());
+    }
+    CHECK(most > 20);  // of 36 places where bars cross
+    return run.positions();
+  };
+  const auto serial = after(Serial{});
   CHECK(serial == after(OpenMP{2}));
   CHECK(serial == after(OpenMP{5}));
 }

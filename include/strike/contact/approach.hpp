@@ -73,7 +73,7 @@ class Approach {
     choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
     found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
-    execution.for_each(found_.size(), [&](std::size_t c) {
+    for_each_leaping(execution, found_.size(), [&](std::size_t c) {
       found_[c].clear();
       for (std::size_t k = c * per_chunk; k < std::min((c + 1) * per_chunk, chosen_.size()); ++k)
         visit(chosen_[k], all, step.dt, rounding, found_[c]);
