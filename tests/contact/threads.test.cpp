@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <strike/contact/contact.hpp>
@@ -76,6 +77,30 @@ TEST_CASE("edges that cross give the same bits for any number of threads") {
   const auto serial = after(Serial{});
   CHECK(serial == after(OpenMP{2}));
   CHECK(serial == after(OpenMP{5}));
+}
+
+TEST_CASE("a node that comes too deep ends a run with one sentence, for any number of threads") {
+  const Mesh lower = box({.size = {1, 1, 0.3}, .cells = {9, 9, 3}});
+  Mesh mesh = lower;
+  std::vector<Index> upper;
+  const Mesh block = box({.lower = {0.02, 0.03, 0.301}, .size = {0.9, 0.9, 0.3}, .cells = {12, 12, 3}});
+  for (Index i = append(mesh, block); i < mesh.nodes.size(); ++i) upper.push_back(i);
+  const auto message = [&](auto execution) -> std::string {
+    Explicit run{Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra},
+                       Contact{NodeToSurface{upper, Surface{surface(lower)}}, Penalty{.stiffness = 1}},
+                       InitialVelocity{{0, 0, -50}, upper}},
+                 {},
+                 execution};
+    try {
+      for (int n = 0; n < 1000; ++n) run.step();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string serial = message(Serial{});
+  CHECK_THAT(serial, Catch::Matchers::ContainsSubstring("deep into what it touches"));
+  CHECK(serial == message(OpenMP{2}));
 }
 
 TEST_CASE("the order of pairs does not count, however few iterations they are given") {

@@ -94,9 +94,8 @@ class FirstTouch {
       area = cross<double>(diagonals[0], diagonals[1]), area2 = area.squaredNorm();
       radius2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm());
       height = from.dot(area);
-      const double up = std::abs(height) / std::sqrt(area2),
-                   along = std::sqrt(std::max(0.0, from.squaredNorm() - up * up));
-      above = up - (target.count(f) == 3 ? 0 : warp), beside = along - std::sqrt(radius2) - warp;
+      const double up2 = height * height / area2, along = std::sqrt(std::max(0.0, from.squaredNorm() - up2));
+      above = std::sqrt(up2) - (target.count(f) == 3 ? 0 : warp), beside = along - std::sqrt(radius2) - warp;
     }
     double distance() const {
       const double a = std::max(0.0, above), b = std::max(0.0, beside);
