@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <strike/contact/contact.hpp>
@@ -38,6 +41,66 @@ TEST_CASE("contact gives the same bits for any number of threads") {
   CHECK(serial == after(OpenMP{1}));
   CHECK(serial == after(OpenMP{2}));
   CHECK(serial == after(OpenMP{5}));
+}
+
+TEST_CASE("edges that cross give the same bits for any number of threads") {
+  // Two layers of bars that stand on their edges, across each other.
+  constexpr double side = 0.05, turned = 0.25 * std::numbers::pi;
+  const Mesh bar = translated(box({.size = {1, side, side}, .cells = {20, 1, 1}}), {-0.5, -0.5 * side, -0.5 * side});
+  const auto layer = [&](double z, double about) {
+    Mesh bars;
+    for (int k = 0; k < 6; ++k) append(bars, translated(rotated(bar, {1, 0, 0}, turned), {0, 0.15 * k - 0.371, z}));
+    return rotated(bars, {0, 0, 1}, about);
+  };
+  const Mesh lower = layer(0, 0);
+  Mesh mesh = lower;
+  std::vector<Index> upper;
+  for (Index i = append(mesh, layer(1.005 * std::numbers::sqrt2 * side, 1.4)); i < mesh.nodes.size(); ++i)
+    upper.push_back(i);
+  const Cells<8> of_upper(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(lower.hexahedra.size()),
+                          mesh.hexahedra.end());
+  const auto after = [&](auto execution) {
+    Explicit run{
+        Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra},
+              Contact{TwoWay{Surface{surface(Mesh{mesh.nodes, of_upper})}, Surface{surface(lower)}}, Coulomb{0.2}},
+              InitialVelocity{{0, 5, -20}, upper}},
+        {},
+        execution};
+    std::size_t most = 0;
+    for (int n = 0; n < 200; ++n) {
+      run.step();
+      most = std::max(most, run.template contact<0>().pairs().size());
+    }
+    CHECK(most > 20);  // of 36 places where bars cross
+    return run.positions();
+  };
+  const auto serial = after(Serial{});
+  CHECK(serial == after(OpenMP{2}));
+  CHECK(serial == after(OpenMP{5}));
+}
+
+TEST_CASE("a node that comes too deep ends a run with one sentence, for any number of threads") {
+  const Mesh lower = box({.size = {1, 1, 0.3}, .cells = {9, 9, 3}});
+  Mesh mesh = lower;
+  std::vector<Index> upper;
+  const Mesh block = box({.lower = {0.02, 0.03, 0.301}, .size = {0.9, 0.9, 0.3}, .cells = {12, 12, 3}});
+  for (Index i = append(mesh, block); i < mesh.nodes.size(); ++i) upper.push_back(i);
+  const auto message = [&](auto execution) -> std::string {
+    Explicit run{Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra},
+                       Contact{NodeToSurface{upper, Surface{surface(lower)}}, Penalty{.stiffness = 1}},
+                       InitialVelocity{{0, 0, -50}, upper}},
+                 {},
+                 execution};
+    try {
+      for (int n = 0; n < 1000; ++n) run.step();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string serial = message(Serial{});
+  CHECK_THAT(serial, Catch::Matchers::ContainsSubstring("deep into what it touches"));
+  CHECK(serial == message(OpenMP{2}));
 }
 
 TEST_CASE("the order of pairs does not count, however few iterations they are given") {

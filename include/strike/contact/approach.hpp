@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -73,13 +74,15 @@ class Approach {
     choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
     found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
-    execution.for_each(found_.size(), [&](std::size_t c) {
+    for_each_leaping(execution, found_.size(), [&](std::size_t c) {
       found_[c].clear();
       for (std::size_t k = c * per_chunk; k < std::min((c + 1) * per_chunk, chosen_.size()); ++k)
         visit(chosen_[k], all, step.dt, rounding, found_[c]);
     });
     const std::size_t first_pair = pairs.size();
     for (const Found& found : found_) {
+      if (const auto& deep = found.too_deep)
+        check_depth(all.number(deep->node), all.x[deep->node], deep->depth, deep->most);
       touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
       pairs.insert(pairs.end(), found.pairs.begin(), found.pairs.end());
       for (const Index i : found.gone_past) rounding.add(i);
@@ -149,13 +152,19 @@ class Approach {
     Index node;
     std::size_t first, last;
   };
+  /// A node of the contact that is deeper than it may be [length].
+  struct TooDeep {
+    Index node;
+    double depth, most;
+  };
   /// Touches of the nodes of a chunk, and their pairs.
   struct Found {
     std::vector<Touch> touches;
     std::vector<ContactPair> pairs;
-    std::vector<Index> gone_past;  // an edge, nodes of the contact
+    std::vector<Index> gone_past;     // an edge, nodes of the contact
+    std::optional<TooDeep> too_deep;  // the first; its error waits for the end of the loop, which must not throw
 
-    void clear() { touches.clear(), pairs.clear(), gone_past.clear(); }
+    void clear() { touches.clear(), pairs.clear(), gone_past.clear(), too_deep.reset(); }
   };
   static constexpr std::size_t per_chunk = 64;
 
@@ -202,8 +211,8 @@ class Approach {
     const double depth = faces_.depth(i, place->face, place->N), height = place->height - depth;
     touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
     const ContactPair pair = faces_.pair(i, *place, height + touch.initial_depth);
-    check_depth(all.number(i), all.x[i], -pair.gap,
-                std::max(std::min(faces_.size, std::numbers::sqrt2 * edge_[i]), depth));
+    const double most = std::max(std::min(faces_.size, std::numbers::sqrt2 * edge_[i]), depth);
+    if (-pair.gap > most && !found.too_deep) found.too_deep = TooDeep{i, -pair.gap, most};
     if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
     touch.face = place->face, touch.place = place->on_face();
     touch.normal = touch_normal(*place, all);

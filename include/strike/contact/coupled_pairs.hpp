@@ -83,24 +83,26 @@ class CoupledPairs {
               const Missing& missing, const Allowed& allowed) {
     constexpr bool along_normals = std::is_same_v<Impulse, double>;
     const std::vector<double> response = responses<along_normals>(execution);
+    std::vector<double> inverse(response.size());
+    for (std::size_t p = 0; p < response.size(); ++p) inverse[p] = 1 / response[p];
     std::vector<Impulse> at = impulses, next = impulses;  // the velocities are those of `at`
-    struct OfBlock {
-      double missed = 0, turned = 0;
-    };
     std::vector<OfBlock> of_block(blocks());
+    // All that a block calls in one function: its loops take most of the time.
+    const auto ask = [&](std::size_t b) __attribute__((__flatten__)) {
+      OfBlock sum;
+      for (std::size_t i = 0; i < per_block; ++i) {
+        const std::size_t p = first(b) + apart(i);
+        if (p >= last(b) || !(response[p] > 0)) continue;
+        next[p] = allowed(p, Impulse(at[p] + inverse[p] * missing(p)));
+        const Impulse back = at[p] - next[p];
+        sum.missed = std::max(sum.missed, response[p] * size(back));
+        sum.turned += response[p] * product(back, Impulse(next[p] - impulses[p]));
+      }
+      of_block[b] = sum;
+    };
     double momentum = 1;
     for (int iteration = 1; iteration <= most; ++iteration) {
-      side_by_side(execution, blocks(), [&](std::size_t b) {
-        OfBlock sum;
-        each_of_block(b, [&](std::size_t p) {
-          if (!(response[p] > 0)) return;
-          next[p] = allowed(p, Impulse(at[p] + (1 / response[p]) * missing(p)));
-          const Impulse back = at[p] - next[p];
-          sum.missed = std::max(sum.missed, response[p] * size(back));
-          sum.turned += response[p] * product(back, Impulse(next[p] - impulses[p]));
-        });
-        of_block[b] = sum;
-      });
+      side_by_side(execution, blocks(), ask);
       OfBlock all;
       for (const OfBlock& sum : of_block) all.missed = std::max(all.missed, sum.missed), all.turned += sum.turned;
       const bool ends = !(all.missed > enough) || iteration == most;
@@ -120,6 +122,10 @@ class CoupledPairs {
  private:
   static constexpr std::size_t per_block = 64;
 
+  /// The largest velocity that a pair of a block misses, and a sum that is positive when the iteration turns back.
+  struct OfBlock {
+    double missed = 0, turned = 0;
+  };
   /// The part of a pair that all iterations read. One of fewer nodes has its first once more, without a weight.
   struct Row {
     Eigen::Vector4d normal;  // and 0

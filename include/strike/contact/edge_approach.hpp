@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/ascending.hpp>
 #include <strike/contact/contact_nodes.hpp>
 #include <strike/contact/follow_touch.hpp>
 #include <strike/contact/neighbourhood.hpp>
@@ -18,6 +19,7 @@
 #include <strike/contact/target.hpp>
 #include <strike/contact/touch.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/motion/step.hpp>
 #include <strike/tensor/tensor.hpp>
 
@@ -31,19 +33,28 @@ struct Edge {
 
 /// Borders and crests of a surface, of more than 30 degrees: where others touch it by its edges. Plates fold either
 /// way.
-inline std::vector<Edge> crests(const Target& target, std::span<const Eigen::Vector3d> x) {
-  std::vector<Edge> edges;
-  const auto normal = [&](Index f) { return target.normal(f, x); };
-  for (Index f = 0; f < target.faces().size(); ++f)
-    for (unsigned k = 0; k < target.count(f); ++k) {
-      const Index other = target.across(f, k), a = target.faces()[f][k],
-                  b = target.faces()[f][(k + 1) % target.count(f)];
-      if (other != Target::none) {
-        if (other < f || normal(f).dot(normal(other)) > 0.866) continue;
-        if (!target.is_plate(f) && normal(f).dot(target.middle(other, x) - x[a]) > 0) continue;  // a dent
+template <Execution E = Serial>
+std::vector<Edge> crests(const Target& target, std::span<const Eigen::Vector3d> x, const E& execution = {}) {
+  const std::size_t faces = target.faces().size();
+  std::vector<Eigen::Vector3d> normals(faces);
+  for_each_chunk(execution, faces, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) normals[f] = target.normal(static_cast<Index>(f), x);
+  });
+  std::vector<std::vector<Edge>> found(chunks(faces));
+  for_each_chunk(execution, faces, [&](std::size_t c, std::size_t first, std::size_t last) {
+    for (Index f = static_cast<Index>(first); f < last; ++f)
+      for (unsigned k = 0; k < target.count(f); ++k) {
+        const Index other = target.across(f, k), a = target.faces()[f][k],
+                    b = target.faces()[f][(k + 1) % target.count(f)];
+        if (other != Target::none) {
+          if (other < f || normals[f].dot(normals[other]) > 0.866) continue;
+          if (!target.is_plate(f) && normals[f].dot(target.middle(other, x) - x[a]) > 0) continue;  // a dent
+        }
+        found[c].push_back({{a, b}, f, other});
       }
-      edges.push_back({{a, b}, f, other});
-    }
+  });
+  std::vector<Edge> edges;
+  for (const auto& some : found) edges.insert(edges.end(), some.begin(), some.end());
   return edges;
 }
 
@@ -92,27 +103,27 @@ class EdgeApproach {
     margin_ = -1;
   }
 
-  /// Appends the pairs of the step. `touches(i)` tells whether node i touches a face, as it does where a crossing is
-  /// next to it.
-  template <class Touches>
+  /// Appends the pairs of the step: those that go on, then others, each in the order of the edges, of which each is
+  /// decided alone. `touches(i)` tells whether node i touches a face, as it does where a crossing is next to it.
+  template <class Touches, class Execution>
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, const Touches& touches,
-            Rounding& rounding) {
-    update(all, step.dt);
+            Rounding& rounding, const Execution& execution) {
+    update(all, step.dt, execution);
     last_.swap(touches_), touches_.clear();
     const std::size_t first_pair = pairs.size();
-    for (const EdgeTouch& touch : last_) follow(touch, all, step.dt, pairs, rounding);
-    for (const Index s : search_.awake()) {
-      double* wakes = wakes_.data() + search_.first(s);
-      for (const Index k : search_.near(s)) {
-        const Edge &p = crests_[0][s], &q = crests_[1][k];
-        if (double& wake = *wakes++; !(travelled_ < wake)) {
-          const double apart = clearance(p, q, all);
-          wake = travelled_ - reach_ + apart;
-          if (!(apart > std::max(reach_, last_reach_) + 1e-6 * size_))
-            begin_touch(p, q, all, step.dt, pairs, touches, rounding);
-        }
-      }
+    collect(execution, last_.size(), [&](std::size_t k, Found& found) { follow(last_[k], all, step.dt, found); });
+    for (const Found& found : found_) {
+      touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
+      pairs.insert(pairs.end(), found.pairs.begin(), found.pairs.end());
+      for (const Index i : found.gone_past) rounding.add(i);
     }
+    const auto& awake = search_.awake();
+    collect(execution, awake.size(),
+            [&](std::size_t k, Found& found) { look_around(awake[k], all, step.dt, touches, rounding, found); });
+    for (const Found& found : found_)
+      for (std::size_t k = 0; k < found.touches.size(); ++k)
+        if (!is_among(touches_, found.touches[k]))  // edges of three faces come more than once
+          touches_.push_back(found.touches[k]), pairs.push_back(found.pairs[k]);
     for (std::size_t k = 0; k < touches_.size(); ++k) remember(pairs[first_pair + k], touches_[k]);
   }
 
@@ -121,6 +132,7 @@ class EdgeApproach {
     archive(targets_[0], targets_[1], touches_, crests_[0], crests_[1], search_, neighbourhood_, margin_, travelled_,
             reach_);
     wakes_.assign(search_.size(), 0.0);
+    find_ends();
   }
 
  private:
@@ -136,7 +148,30 @@ class EdgeApproach {
       archive(ends, normal, stored, friction);
     }
   };
+  /// Touches of the edges of a chunk, and their pairs.
+  struct Found {
+    std::vector<EdgeTouch> touches;
+    std::vector<ContactPair> pairs;
+    std::vector<Index> gone_past;  // an end, nodes of the contact
+
+    void clear() { touches.clear(), pairs.clear(), gone_past.clear(); }
+  };
+  static constexpr std::size_t per_chunk = 64;
   static constexpr double overhang = 0.02;  // of an edge, in its length
+
+  /// Calls f(k, found) for 0, ..., n - 1 in chunks, whose `found_` stand in this order.
+  template <class Execution, class F>
+  void collect(const Execution& execution, std::size_t n, const F& f) {
+    found_.resize((n + per_chunk - 1) / per_chunk);
+    execution.for_each(found_.size(), [&](std::size_t c) {
+      found_[c].clear();
+      for (std::size_t k = c * per_chunk; k < std::min((c + 1) * per_chunk, n); ++k) f(k, found_[c]);
+    });
+  }
+  static bool is_among(const std::vector<EdgeTouch>& touches, const EdgeTouch& touch) {
+    return std::any_of(touches.begin(), touches.end(),
+                       [&](const EdgeTouch& other) { return other.ends == touch.ends; });
+  }
 
   static bool has(const Target& target, Index a, Index b) {
     const auto faces = target.at(a);
@@ -164,35 +199,50 @@ class EdgeApproach {
   }
 
   /// Finds crests and which are near, if they may have moved by the margin at the end of the step after this one.
-  void update(const ContactNodes& all, double dt) {
+  template <class Execution>
+  void update(const ContactNodes& all, double dt, const Execution& execution) {
     // The way of the last step, with all impulses, takes the place of the one that was expected.
-    last_reach_ = 2 * fastest([&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; });
+    last_reach_ = 2 * fastest([&](Index i) -> Eigen::Vector3d { return all.x[i] - all.x_before[i]; }, execution);
     travelled_ += last_reach_ - reach_;
-    reach_ = 2 * dt * fastest([&](Index i) { return all.v[i]; });
-    if (!(travelled_ + 2 * reach_ <= margin_)) sort(all, std::max(8 * reach_, 0.5 * size_));
+    reach_ = 2 * dt * fastest([&](Index i) { return all.v[i]; }, execution);
+    if (!(travelled_ + 2 * reach_ <= margin_)) sort(all, std::max(8 * reach_, 0.5 * size_), execution);
     travelled_ += reach_;
   }
   /// The largest of a vector at the ends of crests relative to their mean.
-  template <class Of>
-  double fastest(const Of& of) const {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    const auto each_end = [&](const auto& g) {
-      for (const auto& edges : crests_)
-        for (const Edge& edge : edges)
-          for (const Index i : edge.ends) g(of(i));
-    };
-    double most2 = 0;
-    each_end([&](const Eigen::Vector3d& a) { mean += a; });
-    mean /= 2 * static_cast<double>(std::max<std::size_t>(crests_[0].size() + crests_[1].size(), 1));
-    each_end([&](const Eigen::Vector3d& a) { most2 = std::max(most2, (a - mean).squaredNorm()); });
-    return std::sqrt(most2);
+  template <class Of, class Execution>
+  double fastest(const Of& of, const Execution& execution) const {
+    std::vector<Eigen::Vector3d> sums(chunks(ends_.size()));
+    for_each_chunk(execution, ends_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
+      Eigen::Vector3d sum{0, 0, 0};
+      for (std::size_t k = first; k < last; ++k) sum += of(ends_[k]);
+      sums[c] = sum;
+    });
+    Eigen::Vector3d mean{0, 0, 0};
+    for (const Eigen::Vector3d& sum : sums) mean += sum;
+    mean /= static_cast<double>(std::max<std::size_t>(ends_.size(), 1));
+    std::vector<double> most2(sums.size());
+    for_each_chunk(execution, ends_.size(), [&](std::size_t c, std::size_t first, std::size_t last) {
+      double most = 0;
+      for (std::size_t k = first; k < last; ++k) most = std::max(most, (of(ends_[k]) - mean).squaredNorm());
+      most2[c] = most;
+    });
+    return most2.empty() ? 0 : std::sqrt(*std::max_element(most2.begin(), most2.end()));
   }
-  void sort(const ContactNodes& all, double margin) {
+  void find_ends() {
+    ends_.clear();
+    for (const auto& edges : crests_)
+      for (const Edge& edge : edges) ends_.insert(ends_.end(), edge.ends.begin(), edge.ends.end());
+    ends_ = ascending(std::move(ends_));
+  }
+  template <class Execution>
+  void sort(const ContactNodes& all, double margin, const Execution& execution) {
     double longest = 0;
     std::vector<Eigen::Vector3d> x = all.x;
     std::vector<Index> middles;
     std::vector<FaceCorners> others;
-    for (std::size_t s = 0; s < 2; ++s) crests_[s] = crests(targets_[s], all.x);
+    crests_[0] = crests(targets_[0], all.x, execution);
+    crests_[1] = self ? crests_[0] : crests(targets_[1], all.x, execution);
+    find_ends();
     for (const Edge& edge : crests_[0]) {
       const auto [p, q] = ends_of(edge.ends, all.x);
       longest = std::max(longest, (q - p).norm());
@@ -204,7 +254,7 @@ class EdgeApproach {
       if (never_meet(p, q)) return std::numeric_limits<double>::infinity();
       return largest_depth_ - largest_depth(p, q) + 0.5 * (longest - (all.x[p.ends[1]] - all.x[p.ends[0]]).norm());
     };
-    const double apart = search_.sort(middles, others, x, largest_depth_ + 0.5 * longest + margin, Serial{}, less);
+    const double apart = search_.sort(middles, others, x, largest_depth_ + 0.5 * longest + margin, execution, less);
     margin_ = margin + apart, travelled_ = 0;
     wakes_.assign(search_.size(), 0.0);
   }
@@ -227,18 +277,17 @@ class EdgeApproach {
            std::max(targets_[1].half(second.ends[0]), targets_[1].half(second.ends[1]));
   }
 
-  void follow(EdgeTouch touch, const ContactNodes& all, double dt, std::vector<ContactPair>& pairs,
-              Rounding& rounding) {
+  void follow(EdgeTouch touch, const ContactNodes& all, double dt, Found& found) const {
     const Crossover at(ends_of({touch.ends[0], touch.ends[1]}, all.x), ends_of({touch.ends[2], touch.ends[3]}, all.x));
     if (at.parallel || !at.is_within(-overhang)) {
-      for (const Index end : touch.ends) rounding.add(end);
+      found.gone_past.insert(found.gone_past.end(), touch.ends.begin(), touch.ends.end());
       return;
     }
     const double side = at.normal.dot(touch.normal) < 0 ? -1 : 1;
     const ContactPair pair = pair_of(touch.ends, at, side * at.normal, all);
     if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
     touch.normal = pair.normal;
-    touches_.push_back(touch), pairs.push_back(pair);
+    found.touches.push_back(touch), found.pairs.push_back(pair);
   }
   ContactPair pair_of(const std::array<Index, 4>& ends, const Crossover& at, const Eigen::Vector3d& normal,
                       const ContactNodes& all) const {
@@ -261,9 +310,24 @@ class EdgeApproach {
                : 0;
   }
 
+  /// Begins the touches of a crest of the first surface with those near it that do not rest.
   template <class Touches>
-  void begin_touch(const Edge& first, const Edge& second, const ContactNodes& all, double dt,
-                   std::vector<ContactPair>& pairs, const Touches& touches, const Rounding& rounding) {
+  void look_around(Index s, const ContactNodes& all, double dt, const Touches& touches, const Rounding& rounding,
+                   Found& found) {
+    double* wakes = wakes_.data() + search_.first(s);
+    for (const Index k : search_.near(s)) {
+      const Edge &p = crests_[0][s], &q = crests_[1][k];
+      if (double& wake = *wakes++; !(travelled_ < wake)) {
+        const double apart = clearance(p, q, all);
+        wake = travelled_ - reach_ + apart;
+        if (!(apart > std::max(reach_, last_reach_) + 1e-6 * size_))
+          begin_touch(p, q, all, dt, touches, rounding, found);
+      }
+    }
+  }
+  template <class Touches>
+  void begin_touch(const Edge& first, const Edge& second, const ContactNodes& all, double dt, const Touches& touches,
+                   const Rounding& rounding, Found& found) const {
     const auto& [p, q] = std::pair(first.ends, second.ends);
     Ends way_p, way_q, back_p, back_q;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -273,8 +337,7 @@ class EdgeApproach {
     const Ends P = ends_of(p, all.x), Q = ends_of(q, all.x);
     if (!may_cross(P, way_p, Q, way_q) && !may_cross(P, back_p, Q, back_q)) return;
     EdgeTouch touch{{p[0], p[1], q[0], q[1]}};
-    const auto same = [&](const EdgeTouch& other) { return other.ends == touch.ends; };
-    if (std::any_of(touches_.begin(), touches_.end(), same)) return;
+    if (is_among(touches_, touch)) return;
     const bool comes_round = !rounding.is_empty() && std::any_of(touch.ends.begin(), touch.ends.end(),
                                                                  [&](Index end) { return rounding.has(end); });
     const double slack = comes_round ? 0.05 * size_ : 0.0;
@@ -288,8 +351,8 @@ class EdgeApproach {
         (at.along_q < overhang && touches(q[0])) || (at.along_q > 1 - overhang && touches(q[1])))
       return;
     touch.normal = at.normal.dot(touch.normal) < 0 ? Eigen::Vector3d(-at.normal) : at.normal;
-    pairs.push_back(pair_of(touch.ends, at, touch.normal, all));
-    touches_.push_back(touch);
+    found.pairs.push_back(pair_of(touch.ends, at, touch.normal, all));
+    found.touches.push_back(touch);
   }
   /// False if boxes around both ways stay apart.
   bool may_cross(const Ends& P, const Ends& U, const Ends& Q, const Ends& V) const {
@@ -358,8 +421,10 @@ class EdgeApproach {
   std::array<Target, 2> targets_;
   double largest_depth_ = 0, size_ = 0;
   std::vector<EdgeTouch> touches_, last_;  // of this step and of the last
+  std::vector<Found> found_;               // by their chunks
   std::array<std::vector<Edge>, 2> crests_;
-  BucketSearch search_;  // of the crests of the second near the middle of each of the first
+  std::vector<Index> ends_;  // of all crests, each once
+  BucketSearch search_;      // of the crests of the second near the middle of each of the first
   double margin_ = -1, travelled_ = 0, reach_ = 0, last_reach_ = 0;
   std::vector<double> wakes_;           // what has to be travelled first, of each edge near another
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves

@@ -44,14 +44,9 @@ class FirstTouch {
   /// Looks whether the node meets face f. Returns by how much both may move relative to each other before they can, as
   /// long as the node's touches stay on their faces [length].
   double consider(Index f) {
-    const Corners X = faces_.target.corners(f, all_.x);
     const bool slack = comes_round_ && !faces_.is_at_a_distance(i_, f);
     const double deep = faces_.largest_depth(i_, f) + (slack ? faces_.slack() : 0);
-    if (touches_.empty()) {
-      const double far = distance_of_sphere(X, all_.x[i_]) - deep;
-      if (far > 8 * farthest_) return far;
-    }
-    const Disc disc(X, all_.x[i_], faces_.target.count(f) == 3);
+    const Disc disc(faces_.target, f, all_.x, all_.x[i_]);
     for (const Touch& touch : touches_) {  // a face that goes on from one that the node touches
       if (touch.face == f) return never;
       const double cosine = std::abs(touch.normal.dot(disc.area)) / std::sqrt(disc.area2);
@@ -63,6 +58,7 @@ class FirstTouch {
     }
     const double clearance = disc.distance() - deep;
     if (clearance > farthest_ || (clearance > 0 && clearance > way_to(f) + faces_.tolerance())) return clearance;
+    const Corners X = faces_.target.corners(f, all_.x);
     Reach reach = faces_.reach(i_, f);
     if (slack) reach.slack = faces_.slack();
     const bool is_at = !(disc.above - deep > reach.tolerance);
@@ -85,27 +81,21 @@ class FirstTouch {
   static constexpr double never = std::numeric_limits<double>::infinity();
   static constexpr double in_line = 0.9;  // cosine of normals, from which on a face goes on from another
 
-  /// The distance of a node from a sphere around the corners of a face.
-  [[gnu::__flatten__]] static double distance_of_sphere(const Corners& X, const Eigen::Vector3d& x) {
-    const Eigen::Vector3d middle = 0.25 * (X[0] + X[1] + X[2] + X[3]);
-    double radius2 = 0;
-    for (const Eigen::Vector3d& corner : X) radius2 = std::max(radius2, (corner - middle).squaredNorm());
-    return (x - middle).norm() - std::sqrt(radius2);
-  }
   /// A disc around a face, as thick as its warp, seen from a node.
   struct Disc {
     Eigen::Vector3d area;  // normal, twice the area long
     double area2, radius2, height, above, beside;
 
-    [[gnu::__flatten__]] Disc(const Corners& X, const Eigen::Vector3d& x, bool is_triangle) {
+    [[gnu::__flatten__]] Disc(const Target& target, Index f, std::span<const Eigen::Vector3d> positions,
+                              const Eigen::Vector3d& x) {
+      const Corners X = target.corners(f, positions);
       const Eigen::Vector3d diagonals[] = {X[2] - X[0], X[3] - X[1]}, from = x - 0.25 * (X[0] + X[1] + X[2] + X[3]);
       const double warp = 0.25 * (X[0] - X[1] + X[2] - X[3]).norm();
       area = cross<double>(diagonals[0], diagonals[1]), area2 = area.squaredNorm();
       radius2 = 0.25 * std::max(diagonals[0].squaredNorm(), diagonals[1].squaredNorm());
       height = from.dot(area);
-      const double up = std::abs(height) / std::sqrt(area2),
-                   along = std::sqrt(std::max(0.0, from.squaredNorm() - up * up));
-      above = up - (is_triangle ? 0 : warp), beside = along - std::sqrt(radius2) - warp;
+      const double up2 = height * height / area2, along = std::sqrt(std::max(0.0, from.squaredNorm() - up2));
+      above = std::sqrt(up2) - (target.count(f) == 3 ? 0 : warp), beside = along - std::sqrt(radius2) - warp;
     }
     double distance() const {
       const double a = std::max(0.0, above), b = std::max(0.0, beside);

@@ -34,6 +34,15 @@ class NearFaces {
     const double apart = search_.sort(nodes, target.faces(), all.x, depth + margin, execution, less);
     margin_ = margin + apart, travelled_ = 0;
     wake_all();
+    // A face rests until what is left of the margin beside its box has been travelled.
+    const std::vector<double>& room = search_.room();
+    for_each_chunk(execution, search_.nodes(), [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t s = first; s < last; ++s)
+        for (std::size_t k = search_.first(s); k < search_.first(s) + search_.near(s).size(); ++k) {
+          wakes_[k] = std::max(0.0, margin - room[k] - faces.tolerance());
+          first_wakes_[s] = k == search_.first(s) ? wakes_[k] : std::min(first_wakes_[s], wakes_[k]);
+        }
+    });
     largest_inverse_mass_ = 0;
     for (const Index s : search_.awake()) {
       double corner = 0;

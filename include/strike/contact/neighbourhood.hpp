@@ -17,7 +17,7 @@ class Neighbourhood {
   /// Of every node of the target, from the positions at the start.
   void find(const Target& target, std::span<const Eigen::Vector3d> start) {
     first_.assign(start.size() + 1, 0), faces_.clear();
-    std::vector<Index> chain;
+    std::vector<Index> chain, seen;
     for (std::size_t i = 0; i < start.size(); ++i) {
       const auto node = static_cast<Index>(i);
       const auto is_within_thickness = [&](Index face) {
@@ -26,11 +26,14 @@ class Neighbourhood {
         return point.distance2 < 1.02 * depth * depth;
       };
       chain.assign(target.at(node).begin(), target.at(node).end());
+      seen = chain;
       for (std::size_t k = 0; k < chain.size(); ++k)
         for (unsigned c = 0; c < target.count(chain[k]); ++c)
-          for (const Index other : target.at(target.faces()[chain[k]][c]))
-            if (std::find(chain.begin(), chain.end(), other) == chain.end() && is_within_thickness(other))
-              chain.push_back(other);
+          for (const Index other : target.at(target.faces()[chain[k]][c])) {
+            if (std::find(seen.begin(), seen.end(), other) != seen.end()) continue;
+            seen.push_back(other);
+            if (is_within_thickness(other)) chain.push_back(other);
+          }
       faces_.insert(faces_.end(), chain.begin(), chain.end());
       first_[i + 1] = faces_.size();
     }

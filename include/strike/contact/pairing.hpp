@@ -92,7 +92,7 @@ class SurfaceMeeting {
     const auto touches = [&](Index i) {
       return std::any_of(approaches_.begin(), approaches_.end(), [&](const auto& to) { return to.touches(i); });
     };
-    for (auto& edges : edges_) edges.find(all, step, pairs, touches, rounding_);
+    for (auto& edges : edges_) edges.find(all, step, pairs, touches, rounding_, execution);
     rounding_.end_step();
   }
   double closing_step(const ContactNodes& all, double moved, double dt) {

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/mesh/mesh.hpp>
 
 namespace strike::detail {
@@ -12,9 +13,11 @@ namespace strike::detail {
 class Rounding {
  public:
   void add(Index node) { now_.push_back(node); }
-  bool has(Index node) const { return !is_empty() && (contains(now_, node) || contains(before_, node)); }
+  bool has(Index node) const {
+    return !is_empty() && (contains(now_, node) || std::binary_search(before_.begin(), before_.end(), node));
+  }
   bool is_empty() const { return now_.empty() && before_.empty(); }
-  void end_step() { before_.swap(now_), now_.clear(); }
+  void end_step() { before_ = ascending(std::move(now_)), now_.clear(); }
 
   template <class Archive>
   void serialize(Archive& archive) {

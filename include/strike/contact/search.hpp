@@ -29,7 +29,7 @@ class BucketSearch {
   double sort(std::span<const Index> nodes, std::span<const Corners> faces, std::span<const Eigen::Vector3d> x,
               double reach, const E& execution, const Less& less) {
     begin_.assign(nodes.size() + 1, 0);
-    near_.clear(), awake_.clear();
+    near_.clear(), room_.clear(), awake_.clear();
     Box all_nodes, all_faces;
     for (const Index i : nodes) all_nodes.take(x[i]);
     boxes_.resize(faces.size());
@@ -63,9 +63,12 @@ class BucketSearch {
       if (begin_[s + 1] > 0) awake_.push_back(static_cast<Index>(s));
       begin_[s + 1] += begin_[s];
     }
-    near_.resize(begin_.back());
+    near_.resize(begin_.back()), room_.resize(begin_.back());
     std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
-    each_found([&](const Found& found) { near_[end[found.node]++] = found.face; });
+    each_found([&](const Found& found) {
+      const std::size_t place = end[found.node]++;
+      near_[place] = found.face, room_[place] = found.room;
+    });
     return 0;
   }
 
@@ -80,6 +83,8 @@ class BucketSearch {
   /// The place of the first of them among those of all nodes; their number, and that of the nodes.
   std::size_t first(std::size_t s) const { return begin_[s]; }
   std::size_t size() const { return near_.size(); }
+  /// By how much smaller a reach would have found each of those of all nodes, in the sort [length].
+  const std::vector<double>& room() const { return room_; }
   std::size_t nodes() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   /// The places in the list of the nodes that have a face near.
   const std::vector<Index>& awake() const { return awake_; }
@@ -101,10 +106,10 @@ class BucketSearch {
       for (int c = 0; c < 3; ++c) lower(c) -= reach, upper(c) += reach;
     }
     bool holds(const Eigen::Vector3d& x) const { return reaches(x, x); }
-    /// True in the box, `margin` from its sides.
-    bool holds(const Eigen::Vector3d& x, double margin) const {
-      return std::min({x(0) - lower(0), upper(0) - x(0), x(1) - lower(1), upper(1) - x(1), x(2) - lower(2),
-                       upper(2) - x(2)}) >= margin;
+    /// The distance of a point in the box from its sides.
+    double depth_of(const Eigen::Vector3d& x) const {
+      return std::min(
+          {x(0) - lower(0), upper(0) - x(0), x(1) - lower(1), upper(1) - x(1), x(2) - lower(2), upper(2) - x(2)});
     }
     bool overlaps(const Box& other) const { return reaches(other.lower, other.upper); }
     bool reaches(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
@@ -121,6 +126,7 @@ class BucketSearch {
   };
   struct Found {
     Index node, face;
+    double room;
   };
   using Bucket = std::array<std::int64_t, 3>;
   struct Filed {
@@ -162,7 +168,9 @@ class BucketSearch {
   void look(Index f, const Less& less, std::vector<Found>& found) const {
     const Box& box = boxes_[f];
     const auto look_at = [&](const Filed& filed) {
-      if (box.holds(filed.x) && box.holds(filed.x, less(filed.node, f))) found.push_back({filed.node, f});
+      if (!box.holds(filed.x)) return;
+      const double depth = box.depth_of(filed.x), least = less(filed.node, f);
+      if (depth >= least) found.push_back({filed.node, f, depth - least});
     };
     const Bucket first = bucket_of(box.lower), last = bucket_of(box.upper);
     const double buckets = static_cast<double>(last[0] - first[0] + 1) * static_cast<double>(last[1] - first[1] + 1) *
@@ -188,6 +196,7 @@ class BucketSearch {
   std::vector<std::vector<Found>> found_;  // by chunks of faces
   std::vector<std::size_t> slot_begin_, slot_end_, begin_;
   std::vector<Index> near_, awake_;
+  std::vector<double> room_;
 };
 
 }  // namespace strike::detail

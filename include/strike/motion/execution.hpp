@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <numeric>
 
 #include <strike/cxx20.hpp>
 
@@ -33,6 +34,14 @@ inline std::size_t chunks(std::size_t n) { return (n + chunk - 1) / chunk; }
 template <class E, class F>
 void for_each_chunk(const E& execution, std::size_t n, const F& f) {
   execution.for_each(chunks(n), [&](std::size_t k) { f(k, k * chunk, std::min((k + 1) * chunk, n)); });
+}
+
+/// Calls f(0), ..., f(n - 1) in an order that leaps: costly ones that follow each other go to several threads.
+template <class E, class F>
+void for_each_leaping(const E& execution, std::size_t n, const F& f) {
+  std::size_t leap = n * 5 / 8;
+  while (std::gcd(leap, n) > 1) ++leap;
+  execution.for_each(n, [&](std::size_t k) { f(k * leap % n); });
 }
 
 }  // namespace detail
