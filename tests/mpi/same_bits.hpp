@@ -10,7 +10,7 @@
 
 #include "support/catch.hpp"
 
-namespace testing {
+namespace strike::testing {
 
 /// All that a checkpoint keeps of a run, and all that must be equal where it goes on.
 class Bytes final : public strike::Archive {
@@ -75,4 +75,4 @@ auto runs_alike(const MakeScene& scene, int steps, const Policies&... policies) 
   return std::pair(std::move(together), std::move(alone));
 }
 
-}  // namespace testing
+}  // namespace strike::testing
