@@ -227,6 +227,12 @@ Inertia from_elements(const auto& run, const std::vector<Index>& nodes) {
 
 }  // namespace
 
+// Braces are those of an Inertia.
+static_assert(
+    std::is_same_v<decltype(RigidBody{std::vector<Index>{0}, {}, HeldBody{{unit(Axis::x)}}}), RigidBody<HeldBody>>);
+static_assert(std::is_same_v<decltype(RigidBody{std::vector<Index>{0}, {1, {0, 0, 0}, {}}}), RigidBody<>>);
+static_assert(!std::is_convertible_v<Inertia, TotalInertia>);
+
 TEST_CASE("rigid body: a total inertia has the masses of its elements in it, a = F/m") {
   const Vector3d force(3, -1, 2);
   Explicit run{Scene{bricks.nodes, of_bricks,
