@@ -128,6 +128,7 @@ TEST_CASE("conformance: wrong numbers of loads and supports are refused") {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Index i : above) middle += .25 * blocks.nodes[i];
   refuses_body(RigidBody{above, Inertia{.mass = 1e-3, .centre = middle}});
+  refuses_body(RigidBody{above, TotalInertia{{1000, middle, {300, 300, 300}}}});
   refuses_body(RigidBody{above, Inertia{}, HeldBody{{unit(Axis::x)}, {{0, 2, 0}}}});
   refuses_body(RigidBody{above, Inertia{}, PinnedBody{{1, 2, 3}}});
   refuses_body(RigidBody{above, Inertia{}, BodyVelocity{{1, 2, 0}, Constant{.01}}, BodySpin{Axis::z, Constant{.01}}});

@@ -218,7 +218,7 @@ TEST_CASE("deck: a rigid part has the inertia and the velocity of its own card, 
   CHECK(scene.cannot == std::vector<std::string>{});
   REQUIRE(scene.bodies.size() == 3);
   CHECK(scene.bodies[2].code ==
-        "RigidBody{deck.cells_of({9}), deck.inertias[0].own(), 0.1}.with_nodes(deck.extra_nodes[0].nodes)"
+        "RigidBody{deck.cells_of({9}), deck.inertias[0].whole(), 0.1}.with_nodes(deck.extra_nodes[0].nodes)"
         ".moving(deck.inertias[0].velocity, deck.inertias[0].spin)");
   CHECK_THAT(scene.bodies[0].code, ContainsSubstring("7.8}.with_nodes(deck.extra_nodes[1].nodes)"));
   CHECK(has(scene.becomes, "1 plates, with mass, inertia and velocity of its own card, and 2 extra nodes"));
@@ -243,11 +243,43 @@ TEST_CASE("deck: a rigid part has the inertia and the velocity of its own card, 
   CHECK_THAT(impossible.bodies[2].code, ContainsSubstring("7.8, 0.1}"));
   const DeckScene merged = with_part("1,2,3,5\n4,,,5,,6\n0\n", "*CONSTRAINED_RIGID_BODIES\n9,3\n");
   CHECK(has(merged.replaced, "its *PART_INERTIA is that of all the parts"));
-  CHECK_THAT(merged.bodies[1].code, ContainsSubstring("deck.cells_of({3, 9}), deck.inertias[0].own(), 0.1}"));
+  CHECK_THAT(merged.bodies[1].code, ContainsSubstring("deck.cells_of({3, 9}), deck.inertias[0].whole(), 0.1}"));
   const DeckScene led = with_part("1,2,3,5\n4,,,5,,6\n0\n", "*CONSTRAINED_RIGID_BODIES\n3,9\n");
   CHECK(has(led.cannot, "*PART_INERTIA of part 9 is left out, which moves with part 3"));
   const DeckScene elastic = scene_of(three_metals + ended + "*CONSTRAINED_EXTRA_NODES_NODE\n1,16\n");
   CHECK(has(elastic.cannot, "The extra nodes of part 1 are left out"));
+}
+
+TEST_CASE("deck: a rigid body of nodes has the inertia and the velocity of its own card as a whole") {
+  const auto with_body = [](const std::string& inertia, const std::string& more = "") {
+    return scene_of(three_metals + ended + "*SET_NODE\n7\n1,2,3,4\n*CONSTRAINED_NODAL_RIGID_BODY_INERTIA\n7,,7\n" +
+                    inertia + more);
+  };
+  const std::string whole = "1,2,3,50\n40,.1,.2,50,.3,60\n1,0,0,0,0,7\n";
+  const DeckScene scene = with_body(whole, "*CONSTRAINED_EXTRA_NODES_NODE\n7,21\n");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  REQUIRE(scene.bodies.size() == 1);
+  CHECK(scene.bodies[0].code ==
+        "RigidBody{deck.rigid_bodies[0].nodes, deck.rigid_bodies[0].inertia->whole()}"
+        ".with_nodes(deck.extra_nodes[0].nodes)"
+        ".moving(deck.rigid_bodies[0].inertia->velocity, deck.rigid_bodies[0].inertia->spin)");
+  CHECK(has(scene.becomes, "Rigid body 7 of 4 nodes, with mass, inertia and velocity of its own card, and 1 extra"));
+  // The body as a run has it, whose nodes have masses of elements.
+  std::vector<Index> all(scene.nodes.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  Nodes<double> nodes(scene.nodes, all);
+  for (const Index i : all) nodes.add_mass(i, 0.5);
+  auto body = std::get<RigidBody<>>(scene.bodies[0].item);
+  body.add_body(nodes), body.start_body(nodes);
+  const RigidMotion& motion = nodes.bodies()[0];
+  CHECK(motion.mass() == 50);
+  CHECK(motion.centre() == Eigen::Vector3d(1, 2, 3));
+  CHECK(motion.velocity() == Eigen::Vector3d(1, 0, 0));
+  CHECK((motion.angular_momentum() - 7 * Eigen::Vector3d(0.2, 0.3, 60)).norm() < 1e-13);
+
+  const DeckScene impossible = with_body("1,2,3,5\n4,,,5,,10\n0\n");
+  CHECK(has(impossible.cannot, "Rigid body 7: its moment of inertia has the components 4, 5, 10"));
+  CHECK(impossible.bodies.at(0).code == "RigidBody{deck.rigid_bodies[0].nodes, Inertia{}}");
 }
 
 TEST_CASE("deck: conditions and loads are those of the deck's cards") {
@@ -538,8 +570,27 @@ TEST_CASE("deck: rigid walls that are round or end are obstacles of nodes") {
 
   const std::string no_mass = "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-4,0,0,1\n,1\n";
   CHECK(has(scene_of(three_metals + ended + no_mass).cannot, "A rigid wall that moves is left out: it has no mass."));
-  const std::string strip = "*RIGIDWALL_PLANAR_FINITE\n0\n0,0,-4,0,0,1\n1,0,-4,5,0\n";
-  CHECK(has(scene_of(three_metals + ended + strip).cannot, "ends in one direction alone"));
+  // The farthest node is (1, 1, 3), the box around all nodes 3 x 3 x 4.
+  const double far = std::sqrt(51.0) + 10 * std::sqrt(34.0);
+  for (const std::string lengths : {"5,0", "0,5"}) {
+    const auto strip = [&](const char* moving, const char* motion) {
+      return deck_of(three_metals + ended + "*RIGIDWALL_PLANAR_FINITE" + moving + "\n0\n0,0,-4,0,0,1\n1,0,-4," +
+                     lengths + "\n" + motion);
+    };
+    const DynaDeck deck = strip("", ""), moving = strip("_MOVING", "5,1\n");
+    const DeckScene endless = deck_scene(deck), driven = deck_scene(moving);
+    CHECK(endless.cannot == std::vector<std::string>{});
+    CHECK(has(endless.becomes, "Rigid wall with two edges, and 65.4509 long to both sides, from {0, 0, -4}"));
+    CHECK_THAT(endless.obstacles.at(0).code, ContainsSubstring("RigidSurface{deck.walls[0].corners(65.45"));
+    CHECK(driven.cannot == std::vector<std::string>{});
+    CHECK(has(driven.more_nodes, ".corners(65.45"));
+    const bool ends_along_y = lengths == "0,5";
+    const auto corners = deck.walls[0].corners(far);
+    CHECK(corners.at(0) == (ends_along_y ? Eigen::Vector3d(-far, 0, -4) : Eigen::Vector3d(0, -far, -4)));
+    CHECK(corners.at(2).isApprox(ends_along_y ? Eigen::Vector3d(far, 5, -4) : Eigen::Vector3d(5, far, -4)));
+    CHECK(deck.walls[0].corners().empty());
+    CHECK(driven.nodes.back().isApprox(moving.walls[0].corners(far).back()));
+  }
   const std::string sticky = "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n1,1,-9,1,1,1,1\n3\n";
   CHECK(has(scene_of(three_metals + ended + sticky).cannot, "nodes stick has friction 0"));
 }
@@ -609,6 +660,18 @@ TEST_CASE("deck: rigid walls that move are rigid bodies, and the program is the 
   CHECK(has({program}, "  const Frame frame_0 = add_frame(nodes, {0, 0, -4}, "));
   CHECK(has({program}, "deck.walls[1].corners()) nodes.push_back(corner);"));
   CHECK(has({program}, "  Explicit run{Scene{nodes,"));
+}
+
+TEST_CASE("deck: values without effect on the answer do not keep a deck from its run") {
+  const DeckScene scene = scene_of(three_metals + ended +
+                                   "*SET_NODE_LIST\n4,1.5\n1,2\n*HOURGLASS\n4,6,.1,2,,,.3\n*MAT_NULL\n9,1,,,,,2,.3\n"
+                                   "*CONTROL_SHELL\n20,,,,,1,,1\n");
+  CHECK(scene.cannot == std::vector<std::string>{});
+  for (const char* value :
+       {"DA1 to DA4 of *SET_NODE_LIST", "IBQ of *HOURGLASS", "VDC of *HOURGLASS", "YM, of null shells, of *MAT_NULL",
+        "PR, of null shells, of *MAT_NULL", "stand for WRPANG, BWC and PROJ"})
+    CHECK(has(scene.replaced, value));
+  CHECK(has(scene_of(three_metals + ended + "*SECTION_SOLID\n9,1,4\n").cannot, "AET of *SECTION_SOLID"));
 }
 
 TEST_CASE("deck: plates of other elements are told") {

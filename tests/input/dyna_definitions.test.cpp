@@ -176,8 +176,8 @@ laminate
   CHECK(deck.inertias[1].centre == Eigen::Vector3d(0, 0, 3));                                // node 9
   CHECK(deck.inertias[1].inertia == Eigen::Vector3d(2, 1, 3).asDiagonal().toDenseMatrix());  // x along Y
   CHECK(deck.inertias[2].inertia == deck.inertias[1].inertia);
-  CHECK(deck.inertias[0].own().moment.yz == 3);
-  CHECK(deck.inertias[0].own().moment.zx == 2);
+  CHECK(deck.inertias[0].whole().moment.yz == 3);
+  CHECK(deck.inertias[0].whole().moment.zx == 2);
   CHECK(deck.part_cards[3].name == "both");
   CHECK(deck.part_cards[3].contact->static_friction == 0.3);
   CHECK(deck.part_cards[3].contact->thickness == 0.9);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -9,13 +10,18 @@
 
 #include <strike/dynamics/explicit.hpp>
 #include <strike/element/hex8.hpp>
+#include <strike/element/plate4.hpp>
 #include <strike/load/body_force.hpp>
 #include <strike/load/initial_velocity.hpp>
+#include <strike/load/nodal_force.hpp>
 #include <strike/load/rigid_body.hpp>
 #include <strike/material/elastic.hpp>
+#include <strike/material/plane_stress.hpp>
 #include <strike/mesh/box.hpp>
 #include <strike/mesh/select.hpp>
+#include <strike/mesh/sheet.hpp>
 #include <strike/output/checkpoint.hpp>
+#include <strike/section/layered.hpp>
 
 #include "output/scratch.hpp"
 #include "support/catch.hpp"
@@ -199,6 +205,142 @@ TEST_CASE("rigid body: a checkpoint goes on to the bit where weights act beside 
   CHECK(other.energy().external == half.energy().external);
 }
 
+namespace {
+
+/// A brick of eight elements of the mass 0.12, all of whose nodes belong to a body of the whole mass 2.
+const Mesh bricks = box({.lower = {-0.5, -0.3, -0.1}, .size = {1, 0.6, 0.2}, .cells = {2, 2, 2}});
+const Part of_bricks{Hex8{}, Elastic{1, 1e3, 0.3}, bricks.hexahedra};
+const TotalInertia whole{{2, {0.1, 0, 0}, {0.3, 0.4, 0.5, 0, 0, 0}}};
+std::vector<Index> all_nodes(const Mesh& mesh) {
+  return nodes_where(mesh.nodes, [](const Vector3d&) { return true; });
+}
+/// What nodes of a run have from elements.
+Inertia from_elements(const auto& run, const std::vector<Index>& nodes) {
+  Inertia sum;
+  for (const Index i : nodes) {
+    sum.add(run.nodes().mass(i), run.positions()[i]);
+    if constexpr (std::remove_cvref_t<decltype(run.nodes())>::nodes_turn)
+      sum.moment += SymmetricTensor<double>::isotropic(run.nodes().inertia(i));
+  }
+  return sum;
+}
+
+}  // namespace
+
+// Braces are those of an Inertia.
+static_assert(
+    std::is_same_v<decltype(RigidBody{std::vector<Index>{0}, {}, HeldBody{{unit(Axis::x)}}}), RigidBody<HeldBody>>);
+static_assert(std::is_same_v<decltype(RigidBody{std::vector<Index>{0}, {1, {0, 0, 0}, {}}}), RigidBody<>>);
+static_assert(!std::is_convertible_v<Inertia, TotalInertia>);
+
+TEST_CASE("rigid body: a total inertia has the masses of its elements in it, a = F/m") {
+  const Vector3d force(3, -1, 2);
+  Explicit run{Scene{bricks.nodes, of_bricks,
+                     RigidBody{all_nodes(bricks), whole, HeldBody{{}, {unit(Axis::x), unit(Axis::y), unit(Axis::z)}}},
+                     NodalForce{force, {4}}},
+               steps};
+  REQUIRE(run.nodes().bodies()[0].mass() == 2);
+  run.until(1);
+  const double t = run.time();
+  CHECK((run.nodes().bodies()[0].centre() - (whole.centre + 0.25 * t * t * force)).norm() < 1e-12);
+  CHECK(std::abs(run.energy().error()) < 1e-12);
+
+  Explicit falls{Scene{bricks.nodes, of_bricks, RigidBody{all_nodes(bricks), whole}.moving(v0, w0), BodyForce{g}},
+                 steps};
+  const Vector3d L = falls.nodes().bodies()[0].angular_momentum();
+  falls.until(1);
+  CHECK((falls.nodes().bodies()[0].centre() - (whole.centre + t * v0 + 0.5 * t * t * g)).norm() < 1e-11);
+  CHECK((falls.nodes().bodies()[0].angular_momentum() - L).norm() < 1e-12);
+  CHECK(std::abs(falls.energy().error()) < 1e-12);
+}
+
+TEST_CASE("rigid body: a total inertia spins steadily about its principal axis") {
+  for (const auto& body : {RigidBody{all_nodes(bricks), whole}, RigidBody{bricks, whole}}) {
+    Explicit run{Scene{bricks.nodes, of_bricks, body.moving({0, 0, 0}, {0, 0, 3})}, steps};
+    run.until(1);
+    CHECK(run.nodes().bodies()[0].kinetic_energy() == Approx(0.5 * 0.5 * 9).epsilon(1e-13));
+    const double angle = 3 * run.time();
+    const Vector3d from = bricks.nodes[0] - whole.centre;
+    const Vector3d turned{std::cos(angle) * from.x() - std::sin(angle) * from.y(),
+                          std::sin(angle) * from.x() + std::cos(angle) * from.y(), from.z()};
+    CHECK((run.positions()[0] - whole.centre - turned).norm() < 1e-11);
+  }
+}
+
+TEST_CASE("rigid body: a total inertia is that beside its nodes and that of these") {
+  const Carried all;
+  const Inertia beside{0.4, {0.9, 0.1, 0.2}, {0.01, 0.02, 0.015, 0, 0, 0}};
+  auto one = all.run(RigidBody{all.held, beside});
+  TotalInertia sum{beside};
+  const std::vector<Index> beyond = nodes_where(all.mesh.nodes, [](const Vector3d& x) { return x.x() > 0.85; });
+  const std::vector<Index> at_bar =
+      nodes_where(all.mesh.nodes, [](const Vector3d& x) { return x.x() > 0.75 && x.x() < 0.85; });
+  sum.add(from_elements(all.run(RigidBody{beyond, beside}), at_bar));
+  auto other = all.run(RigidBody{all.held, sum});
+  CHECK(other.nodes().bodies()[0].mass() == Approx(one.nodes().bodies()[0].mass()).epsilon(1e-14));
+  one.until(0.05), other.until(0.05);
+  CHECK(apart(one, other) < 1e-10);  // shares of the mass differ, which do not count
+  CHECK(other.energy().external == Approx(one.energy().external).epsilon(1e-10));
+
+  const Mesh sheet = rectangle({.size = {1, 1}, .cells = {4, 4}});
+  const std::vector<Index> edge = nodes_where(sheet.nodes, [](const Vector3d& x) { return x.x() < 0.1; });
+  const auto flies = [&](const auto& body) {
+    return Explicit{Scene{sheet.nodes,
+                          Part{Plate4{}, Homogeneous{PlaneStress{Elastic{1000, 1e6, 0.3}}, 0.05}, sheet.quadrilaterals},
+                          body, BodyForce{g}, InitialVelocity{v0, Spin{{3, 2, 5}, {0.4, 0.1, 0.1}}}}};
+  };
+  const Inertia heavy{30, {0, 0.5, 0.2}, {2, 1, 1.5, 0, 0, 0}};
+  TotalInertia with_turns{heavy};
+  with_turns.add(from_elements(flies(RigidBody{std::vector<Index>{24}, Inertia{}}), edge));
+  auto plate = flies(RigidBody{edge, heavy}), same = flies(RigidBody{edge, with_turns});
+  plate.until(0.05), same.until(0.05);
+  CHECK(apart(plate, same) < 1e-10);
+}
+
+TEST_CASE("rigid body: a total inertia of nodes without elements is an inertia, and a checkpoint goes on to the bit") {
+  const auto thrown_by = [](const auto& mesh, const auto& own) {
+    return Explicit{Scene{mesh.nodes, RigidBody{all_nodes(mesh), own}.moving(v0, w0), BodyForce{g}}, steps};
+  };
+  auto one = thrown_by(brick, outside), other = thrown_by(brick, TotalInertia{outside});
+  one.until(0.5), other.until(0.5);
+  CHECK(one.positions() == other.positions());
+
+  const ScratchFolder folder("total_inertia");
+  const auto start = [] {
+    return Explicit{Scene{bricks.nodes, of_bricks, RigidBody{all_nodes(bricks), whole}.moving(v0, w0), BodyForce{g}},
+                    steps};
+  };
+  auto half = start(), rest = start();
+  half.until(0.5);
+  write_checkpoint(folder / "half", half);
+  read_checkpoint(folder / "half", rest);
+  rest.until(1), half.until(1);
+  CHECK(rest.positions() == half.positions());
+  CHECK(rest.energy().external == half.energy().external);
+}
+
+TEST_CASE("rigid body: a total inertia below that of its elements is refused in a sentence") {
+  const auto refusal = [](const TotalInertia& own) -> std::string {
+    try {
+      Explicit run{Scene{bricks.nodes, of_bricks, RigidBody{all_nodes(bricks), own}}, steps};
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using Catch::Matchers::ContainsSubstring;
+  const Explicit run{Scene{bricks.nodes, of_bricks}, steps};
+  const TotalInertia just{from_elements(run, all_nodes(bricks))};
+  CHECK(refusal(just).empty());
+  TotalInertia light = just, off = just, small = just;
+  light.mass *= 0.999, off.centre.x() += 1e-2, small.moment.xx *= 0.99;
+  CHECK_THAT(refusal(light),
+             ContainsSubstring("its total mass is 0.11988, and its nodes alone have 0.12 from elements"));
+  CHECK_THAT(refusal(off), ContainsSubstring("its total moment of inertia is below"));
+  CHECK_THAT(refusal(small), ContainsSubstring("its total moment of inertia is below"));
+  CHECK_THAT(refusal(TotalInertia{{}}), ContainsSubstring("the rigid body 0: its mass is 0"));
+}
+
 TEST_CASE("rigid body: an inertia that no body has is refused in a sentence") {
   const auto refusal = [](const auto& body) -> std::string {
     try {
@@ -209,7 +351,9 @@ TEST_CASE("rigid body: an inertia that no body has is refused in a sentence") {
     return "";
   };
   using Catch::Matchers::ContainsSubstring;
-  const auto of = [](double mass, const SymmetricTensor<double>& J) { return RigidBody{brick, Inertia{mass, {}, J}}; };
+  const auto of = [](double mass, const SymmetricTensor<double>& J) {
+    return RigidBody{brick, Inertia{mass, Vector3d::Zero(), J}};
+  };
   CHECK(refusal(of(1, {1, 1, 1, 0, 0, 0})).empty());
   CHECK(refusal(of(1, {1, 1, 2, 0, 0, 0})).empty());                       // a plate: just as large as the sum
   CHECK(refusal(of(1, {0.123457, 0.234568, 0.358024, 0, 0, 0})).empty());  // the same in six digits
@@ -220,9 +364,9 @@ TEST_CASE("rigid body: an inertia that no body has is refused in a sentence") {
   CHECK_THAT(refusal(of(1, {1, 1, 2.1, 0, 0, 0})), ContainsSubstring("larger than the sum of the others"));
   // Principal moments 0.5, 1.5 and 0.9.
   CHECK_THAT(refusal(of(1, {1, 1, 0.9, 0.5, 0, 0})), ContainsSubstring("larger than the sum of the others"));
-  CHECK_THAT(refusal(RigidBody{std::vector<Index>{0, 1, 2}, Inertia{1, {}, {}}}),
+  CHECK_THAT(refusal(RigidBody{std::vector<Index>{0, 1, 2}, Inertia{1, Vector3d::Zero(), {}}}),
              ContainsSubstring("its nodes lie apart and it has no moment of inertia"));
-  CHECK_THAT(refusal(RigidBody{std::vector<Index>{0, 1, 2}, Inertia{1, {}, {1, 1, 0, 0, 0, 0}}}),
+  CHECK_THAT(refusal(RigidBody{std::vector<Index>{0, 1, 2}, Inertia{1, Vector3d::Zero(), {1, 1, 0, 0, 0, 0}}}),
              ContainsSubstring("its nodes lie apart and it has no moment of inertia"));
   CHECK_THAT(refusal(of(1, {1, 1, 1, 0, 0, 0}).with_nodes({99})), ContainsSubstring("99"));
 }

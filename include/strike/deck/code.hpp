@@ -1,5 +1,6 @@
 #pragma once
 #include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -14,6 +15,8 @@
 #include <strike/element/tet4.hpp>
 #include <strike/material/eos/tabulated.hpp>
 #include <strike/material/explosive.hpp>
+#include <strike/material/strength/cowper_symonds.hpp>
+#include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/range.hpp>
 #include <strike/text.hpp>
@@ -33,6 +36,10 @@ inline std::string code_of(const std::vector<Eigen::Vector3d>& all) {
 
 inline std::string code_of(const TabulatedHardening& law);
 inline std::string code_of(const TabulatedEos& eos);
+template <class Law>
+std::string code_of(const CowperSymonds<Law>& law);
+template <std::size_t n>
+std::string code_of(const Prony<n>& law);
 template <class Model>
 std::string code_of(const Model& model);
 
@@ -78,6 +85,24 @@ inline std::string code_of(const TabulatedHardening& law) {
   for (std::size_t i = 1; i + 1 < numbers.size(); i += i > 1 ? 3 : 2)
     points += joined({i > 1 ? ", {" : "{", shortest(numbers[i]), ", ", shortest(numbers[i + 1]), "}"});
   return joined({"TabulatedHardening{", shortest(law.shear_modulus), ", {", points, "}}"});
+}
+template <class Law>
+std::string code_of(const CowperSymonds<Law>& law) {
+  return joined({"CowperSymonds{", code_of(law.law), ", ", shortest(law.D), ", ", shortest(law.p), "}"});
+}
+/// Of the terms those that have a share, or one of none.
+template <std::size_t n>
+std::string code_of(const Prony<n>& law) {
+  std::string terms;
+  std::size_t count = 0;
+  for (const auto& [share, time] : law.terms)
+    if (share > 0) {
+      terms += joined({count > 0 ? ", {" : "{", shortest(share), ", ", shortest(time), "}"});
+      ++count;
+    }
+  if (count == 0) terms = "{0, 1}", count = 1;
+  return joined({"Prony<", std::to_string(count), ">{.shear_modulus = ", shortest(law.shear_modulus), ", .terms = {",
+                 terms, "}}"});
 }
 inline std::string code_of(const TabulatedEos& eos) {
   std::string points;

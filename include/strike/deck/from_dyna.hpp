@@ -56,6 +56,10 @@ class FromDyna {
       replaced({"*DATABASE_HISTORY of shells and solids: the history has columns of nodes alone."});
     for (const PartCard& card : deck.part_cards)
       if (card.contact) cannot({"The card of *PART_CONTACT of part ", std::to_string(card.number), " is left out."});
+    const ShellControl usual;
+    if (deck.shell_control.warping_angle != usual.warping_angle || deck.shell_control.warping != usual.warping ||
+        deck.shell_control.projects != usual.projects)
+      replaced({"*CONTROL_SHELL: plates that know their warping stand for WRPANG, BWC and PROJ."});
     if (deck.shell_control.thickness_update >= 1) cannot({"ISTUPD: shells keep their thickness."});
     if (deck.contact_stiffness != 0.1) replaced({"SLSFAC: the springs of contacts are as stiff as the step allows."});
     tell_detonations();
@@ -85,7 +89,9 @@ class FromDyna {
 
   /// It concerns files that are written, or numbers of another solver.
   static bool is_harmless(std::string_view warning) {
-    constexpr std::array<std::string_view, 4> starts{"*DATABASE", "*CONTROL", "Nodes without", "*PARAMETER"};
+    constexpr std::array<std::string_view, 9> starts{"*DATABASE",  "*CONTROL",      "Nodes without",
+                                                     "*PARAMETER", "DA1 to DA4 of", "IBQ of",
+                                                     "VDC of",     "YM, of null",   "PR, of null"};
     return !warning.starts_with("*CONTROL_EXPLOSIVE") &&
            std::any_of(starts.begin(), starts.end(),
                        [&](std::string_view start) { return warning.starts_with(start); });
@@ -164,6 +170,7 @@ class FromDyna {
   }
   /// The element and the hourglass control that plates are asked for and do not have.
   void tell_plates(const NamedSet& part, const PartCard& card, FileNumber form) {
+    if (form == 0) form = deck_.shell_control.element_form;
     if (form != 2)
       replaced(
           {name_of(part), ": plates of one point with hourglass control stand for ELFORM ", std::to_string(form), "."});
@@ -179,12 +186,28 @@ class FromDyna {
       return with_eos(part, [&](const auto& eos) { f(Fluid{eos, Newtonian{m.viscosity}}, NoErosion{}); });
     else if constexpr (std::is_same_v<Card, ExplosiveMaterial>)
       return with_explosive(part, m, f);
+    else if constexpr (std::is_same_v<Card, ViscoelasticMaterial>)
+      return with_relaxation(part, {m.eos, m.strength.shear_modulus, {m.strength.terms[0]}}, f), true;
+    else if constexpr (std::is_same_v<Card, PronyMaterial>)
+      return with_relaxation(part, m, f), true;
     else if constexpr (requires { Solid{m.eos, m.strength}; })
       return with_strength(part, m.eos, m, f), true;
     else if constexpr (requires { Solid{GruneisenEos{}, m.strength}; })
       return with_eos(part, [&](const auto& eos) { with_strength(part, eos, m, f); });
     else
       return false;
+  }
+  template <class F>
+  void with_relaxation(FileNumber part, const PronyMaterial& m, const F& f) {
+    if (m.terms.size() > deck_terms) {
+      cannot({"Part ", std::to_string(part), " is left out: its material has ", std::to_string(m.terms.size()),
+              " terms of relaxation, and this program holds ", std::to_string(deck_terms), "."});
+      return;
+    }
+    struct Relaxing {
+      Prony<deck_terms> strength;
+    };
+    with_strength(part, m.eos, Relaxing{m.strength<deck_terms>()}, f);
   }
   template <class Eos, class Card, class F>
   void with_strength(FileNumber part, const Eos& eos, const Card& m, const F& f) {
@@ -426,7 +449,7 @@ class FromDyna {
     const std::optional<std::size_t> own = inertia_of(part, members);
     const std::string of = own ? joined({"deck.inertias[", std::to_string(*own), "]"}) : "";
     std::string code =
-        joined({"RigidBody{deck.cells_of({", numbers, "}), ", own ? of + ".own()" : code_of(material->density)});
+        joined({"RigidBody{deck.cells_of({", numbers, "}), ", own ? of + ".whole()" : code_of(material->density)});
     if (!mesh.quadrilaterals.empty() || !mesh.triangles.empty()) code += ", " + code_of(thickness);
     const std::vector<std::size_t> extra = extra_nodes_of(members);
     std::string last = with_nodes(extra);
@@ -436,7 +459,7 @@ class FromDyna {
         [&](const auto&... guides) {
           if (!own) return carrying(RigidBody{mesh, material->density, thickness, guides...}, extra);
           const InertiaCard& card = deck_.inertias[*own];
-          return carrying(RigidBody{mesh, card.own(), thickness, guides...}, extra).moving(card.velocity, card.spin);
+          return carrying(RigidBody{mesh, card.whole(), thickness, guides...}, extra).moving(card.velocity, card.spin);
         },
         last);
     becomes({name_of(part), ": a rigid body of ", std::to_string(mesh.hexahedra.size() + mesh.tetrahedra.size()),
@@ -449,7 +472,7 @@ class FromDyna {
     for (std::size_t i = 0; i < deck_.inertias.size(); ++i) {
       const InertiaCard& card = deck_.inertias[i];
       if (card.part == lead.number) {
-        if (const std::string fault = fault_of(card.own(), true); !fault.empty())
+        if (const std::string fault = fault_of(card.whole(), true); !fault.empty())
           cannot({name_of(lead), ": ", fault, ". Until then mass, inertia and velocity are those of its cells."});
         else
           own = i;
@@ -488,17 +511,28 @@ class FromDyna {
   bool has_owner(FileNumber number) const { return rigid(number) || numbered(deck_.rigid_bodies, number); }
   void add_body(std::size_t i) {
     const RigidBodyCard& card = deck_.rigid_bodies[i];
-    if (card.inertia) cannot({"Rigid body ", std::to_string(card.number), ": its own inertia is left out."});
+    const std::string of = joined({"deck.rigid_bodies[", std::to_string(i), "]"});
+    bool has_own = card.inertia.has_value();
+    if (has_own)
+      if (const std::string fault = fault_of(card.inertia->whole(), true); !fault.empty()) {
+        cannot({"Rigid body ", std::to_string(card.number), ": ", fault,
+                ". Until then mass, inertia and velocity are those of its nodes."});
+        has_own = false;
+      }
     const std::vector<std::size_t> extra = extra_nodes_of({card.number});
+    std::string last = with_nodes(extra);
+    if (has_own) last += joined({".moving(", of, ".inertia->velocity, ", of, ".inertia->spin)"});
     add_guided(
         card.number, HeldBody{card.held.directions(), card.held.axes()},
-        joined({"RigidBody{deck.rigid_bodies[", std::to_string(i), "].nodes, Inertia{}"}),
+        joined({"RigidBody{", of, ".nodes, ", has_own ? of + ".inertia->whole()" : "Inertia{}"}),
         [&](const auto&... guides) {
-          return carrying(RigidBody{card.nodes, Inertia{}, guides...}, extra);
+          if (!has_own) return carrying(RigidBody{card.nodes, Inertia{}, guides...}, extra);
+          const InertiaCard& own = *card.inertia;
+          return carrying(RigidBody{card.nodes, own.whole(), guides...}, extra).moving(own.velocity, own.spin);
         },
-        with_nodes(extra));
+        last);
     becomes({"Rigid body ", std::to_string(card.number), " of ", std::to_string(card.nodes.size()), " nodes",
-             told_with(extra)});
+             has_own ? ", with mass, inertia and velocity of its own card" : "", told_with(extra)});
   }
   /// A body with what holds it and moves it; `make` takes the guides, `last` is the code behind them.
   template <class Make>
@@ -636,17 +670,16 @@ class FromDyna {
     const std::string told = joined({code_of(card.point), ", normal ", code_of(card.normal), ", friction ",
                                      code_of(card.friction), moves ? way_of(card) : ""});
     const bool ends = card.edges && (card.edges->length > 0 || card.edges->width > 0);
-    const std::vector<Eigen::Vector3d> corners = card.corners();
+    const bool is_strip = ends && !(card.edges->length > 0 && card.edges->width > 0);
+    const double far = is_strip ? distance_to_nodes(card.point) + 10 * extent() : 0;
+    const std::vector<Eigen::Vector3d> corners = card.corners(far);
+    const std::string code_of_corners = joined({of, ".corners(", is_strip ? code_of(far) : "", ")"});
     const std::string plane = joined({"RigidPlane{", code_of(card.point), ", ", code_of(card.normal), "}"});
-    if (ends && corners.empty()) {
-      cannot({"A rigid wall that ends in one direction alone is left out: give it LENL and LENM."});
-      return;
-    }
     if (ends && moves) {
       const auto first = static_cast<Index>(made_.nodes.size());
       made_.nodes.insert(made_.nodes.end(), corners.begin(), corners.end());
       made_.more_nodes.push_back(
-          joined({"for (const Eigen::Vector3d& corner : ", of, ".corners()) nodes.push_back(corner);"}));
+          joined({"for (const Eigen::Vector3d& corner : ", code_of_corners, ") nodes.push_back(corner);"}));
       const std::vector<Index> own{first, first + 1, first + 2, first + 3};
       const std::string numbers = joined({std::to_string(first), ", ", std::to_string(first + 1), ", ",
                                           std::to_string(first + 2), ", ", std::to_string(first + 3)});
@@ -660,7 +693,7 @@ class FromDyna {
                    code_of(Coulomb{card.friction}), "}"})});
     } else if (ends) {
       add_obstacle(card.nodes, RigidSurface{corners, {Face{{0, 1, 2, 3}, 0}}}, card, of,
-                   joined({"RigidSurface{", of, ".corners(), {Face{{0, 1, 2, 3}, 0}}}"}));
+                   joined({"RigidSurface{", code_of_corners, ", {Face{{0, 1, 2, 3}, 0}}}"}));
     } else if (moves) {
       add_carried(card, RigidPlane{card.point, card.normal}, of, plane, card.point, 0.5 * extent());
     } else {
@@ -669,7 +702,11 @@ class FromDyna {
                              joined({"RigidWall{", code_of(card.point), ", ", code_of(card.normal), ", ", of,
                                      ".nodes, ", code_of(card.friction), "}"})});
     }
-    becomes({kind, ends ? "with four edges from " : "at ", told});
+    becomes({kind,
+             is_strip ? joined({"with two edges, and ", text(far), " long to both sides, from "})
+             : ends   ? "with four edges from "
+                      : "at ",
+             told});
   }
   void add_obstacle(std::size_t i) {
     const ObstacleCard& card = deck_.obstacles[i];
@@ -704,6 +741,11 @@ class FromDyna {
     Eigen::Vector3d lower = deck_.mesh.nodes.front(), upper = lower;
     for (const Eigen::Vector3d& x : deck_.mesh.nodes) lower = lower.cwiseMin(x), upper = upper.cwiseMax(x);
     return (upper - lower).norm();
+  }
+  double distance_to_nodes(const Eigen::Vector3d& point) const {
+    double most = 0;
+    for (const Eigen::Vector3d& x : deck_.mesh.nodes) most = std::max(most, (x - point).norm());
+    return most;
   }
   /// The rigid body that a wall is: it has the mass of the wall and moves along the normal, or is driven.
   template <class Card>

@@ -49,9 +49,13 @@
 #include <strike/material/solid.hpp>
 #include <strike/material/strength/cowper_symonds.hpp>
 #include <strike/material/strength/johnson_cook.hpp>
+#include <strike/material/strength/mooney_rivlin.hpp>
+#include <strike/material/strength/power_hardening.hpp>
+#include <strike/material/strength/prony.hpp>
 #include <strike/material/strength/rate_von_mises.hpp>
 #include <strike/material/strength/tabulated_hardening.hpp>
 #include <strike/material/strength/von_mises.hpp>
+#include <strike/material/strength/zerilli_armstrong.hpp>
 #include <strike/section/layered.hpp>
 
 namespace strike {
@@ -63,6 +67,14 @@ using DeckMetal = Solid<LinearEos, RateVonMises>;
 using DeckFailingMetal = Solid<LinearEos, RateVonMises, FailureStrain>;
 using DeckCurve = Solid<LinearEos, TabulatedHardening>;
 using DeckFailingCurve = Solid<LinearEos, TabulatedHardening, FailureStrain>;
+using DeckPower = Solid<LinearEos, PowerHardening>;
+using DeckFailingPower = Solid<LinearEos, PowerHardening, FailureStrain>;
+using DeckRatePower = Solid<LinearEos, CowperSymonds<PowerHardening>>;
+using DeckFailingRatePower = Solid<LinearEos, CowperSymonds<PowerHardening>, FailureStrain>;
+using DeckColdJohnsonCook = Solid<LinearEos, JohnsonCook>;
+using DeckFailingColdJohnsonCook = Solid<LinearEos, JohnsonCook, FailureStrain>;
+inline constexpr std::size_t deck_terms = 6;  ///< of relaxation, at most
+using DeckRelaxing = Solid<LinearEos, Prony<deck_terms>>;
 template <class M>
 using DeckSection = Homogeneous<PlaneStress<M>>;
 using DeckPly = FailingPly<ChangChang>;
@@ -83,7 +95,18 @@ using DeckPart = AnyPart<
     PartOf<Plate4<>, DeckLaminate, Erosion>,
     PartOf<DeckHexahedron, Solid<GruneisenEos, JohnsonCook, JohnsonCookFailure>, Erosion>,
     PartOf<DeckHexahedron, Explosive<Jwl, DetonationPoints>>, PartOf<DeckHexahedron, Solid<TabulatedEos, VonMises>>,
-    PartOf<DeckHexahedron, Fluid<TabulatedEos, Newtonian>>>;
+    PartOf<DeckHexahedron, Fluid<TabulatedEos, Newtonian>>,  //
+    PartOf<DeckHexahedron, DeckPower>, PartOf<DeckHexahedron, DeckFailingPower, Erosion>,
+    PartOf<DeckHexahedron, DeckRatePower>, PartOf<DeckHexahedron, DeckFailingRatePower, Erosion>,
+    PartOf<DeckHexahedron, DeckColdJohnsonCook>, PartOf<DeckHexahedron, DeckFailingColdJohnsonCook, Erosion>,
+    PartOf<DeckHexahedron, DeckRelaxing>, PartOf<DeckHexahedron, Solid<LinearEos, MooneyRivlin>>,
+    PartOf<DeckHexahedron, Solid<GruneisenEos, ZerilliArmstrong>>,
+    PartOf<DeckHexahedron, Solid<GruneisenEos, ZerilliArmstrong, FailureStrain>, Erosion>,  //
+    PartOf<Plate4<>, DeckSection<DeckPower>>, PartOf<Plate4<>, DeckSection<DeckFailingPower>, Erosion>,
+    PartOf<Plate4<>, DeckSection<DeckRatePower>>, PartOf<Plate4<>, DeckSection<DeckFailingRatePower>, Erosion>,
+    PartOf<Plate4<>, DeckSection<DeckColdJohnsonCook>>,
+    PartOf<Plate4<>, DeckSection<DeckFailingColdJohnsonCook>, Erosion>, PartOf<Plate3<>, DeckSection<DeckPower>>,
+    PartOf<Plate3<>, DeckSection<DeckColdJohnsonCook>>>;
 
 using DeckBody = std::variant<RigidBody<>, RigidBody<HeldBody>, RigidBody<HeldBody, BodyVelocity<CardHistory>>,
                               RigidBody<HeldBody, BodyDisplacement<CardHistory>>>;

@@ -287,7 +287,7 @@ struct PartCard {
   std::optional<PartContact> contact = {};
 };
 
-/// The cards of *PART_INERTIA, in global axes: `RigidBody{cells, i.own()}.moving(i.velocity, i.spin)`.
+/// The cards of *PART_INERTIA, in global axes: `RigidBody{cells, i.whole()}.moving(i.velocity, i.spin)`.
 struct InertiaCard {
   FileNumber part;
   Eigen::Vector3d centre;
@@ -296,9 +296,10 @@ struct InertiaCard {
   Eigen::Vector3d velocity;
   Eigen::Vector3d spin;  ///< [1/time]
 
-  Inertia own() const {
+  /// LS-DYNA takes it in place of the masses that cells, and other elements at the nodes, give the body.
+  TotalInertia whole() const {
     const Eigen::Matrix3d& J = inertia;
-    return {mass, centre, {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(1, 2), J(2, 0)}};
+    return TotalInertia{{mass, centre, {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(1, 2), J(2, 0)}}};
   }
   /// Its tensor has been given in these axes.
   void turn(const Eigen::Matrix3d& axes) { inertia = (axes * inertia * axes.transpose()).eval(); }
@@ -371,7 +372,7 @@ struct VelocityCard {
 };
 
 /// *CONSTRAINED_NODAL_RIGID_BODY, with _SPC and _INERTIA: `RigidBody{b.nodes, {}, HeldBody{b.held.directions(),
-/// b.held.axes()}}`; without elements at its nodes it needs an inertia.
+/// b.held.axes()}}`, or with `b.inertia->whole()`; without elements at its nodes it needs an inertia.
 struct RigidBodyCard {
   FileNumber number;  ///< PID
   std::vector<Index> nodes;

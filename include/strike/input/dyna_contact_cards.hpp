@@ -43,11 +43,18 @@ struct WallCard {
   double mass = 0, speed = 0;             ///< MOVING: along the normal at the start
   std::optional<WallMotion> motion = {};  ///< MOTION
 
-  /// The corners of a wall with four edges, counter-clockwise about its normal; none of another one.
-  std::vector<Eigen::Vector3d> corners() const {
-    if (!edges || !(edges->length > 0) || !(edges->width > 0)) return {};
-    const Eigen::Vector3d l = edges->length * edges->along, m = edges->width * edges->across;
-    return {point, point + l, point + l + m, point + m};
+  /// The corners of a wall with edges, counter-clockwise about its normal. Where it does not end it is `far` long to
+  /// both sides, if that is not 0; none of a wall without edges.
+  std::vector<Eigen::Vector3d> corners(double far = 0) const {
+    if (!edges || (!(edges->length > 0) && !(edges->width > 0))) return {};
+    const double length = edges->length > 0 ? edges->length : 2 * far,
+                 width = edges->width > 0 ? edges->width : 2 * far;
+    if (!(length > 0) || !(width > 0)) return {};
+    Eigen::Vector3d first = point;
+    if (!(edges->length > 0)) first -= far * edges->along;
+    if (!(edges->width > 0)) first -= far * edges->across;
+    const Eigen::Vector3d l = length * edges->along, m = width * edges->across;
+    return {first, first + l, first + l + m, first + m};
   }
 };
 

@@ -26,15 +26,16 @@
 namespace strike {
 
 /// Nodes that move as one body: those of cells, which carry no stress and take no time, of a density or with an inertia
-/// of the body's own; or any nodes, with an inertia beside the masses that they have from elements. Its centre of mass
-/// may lie anywhere: a body force acts there, the masses of the nodes do not count in its motion. Elements may share
-/// its nodes, loads and contacts act on them, an InitialVelocity sets it in motion. Guides hold or move it: HeldBody,
-/// PinnedBody, BodyVelocity, BodyDisplacement, BodySpin, BodyAngle. Errors: no nodes; a node in two bodies, or under
-/// another condition; an inertia that no body has; velocities at the start that no rigid motion has; guides that
-/// exclude each other.
+/// of the body's own; or any nodes, with an inertia beside the masses that they have from elements, or a TotalInertia
+/// with these. Its centre of mass may lie anywhere: a body force acts there, the masses of the nodes do not count in
+/// its motion. Elements may share its nodes, loads and contacts act on them, an InitialVelocity sets it in motion.
+/// Guides hold or move it: HeldBody, PinnedBody, BodyVelocity, BodyDisplacement, BodySpin, BodyAngle. Errors: no nodes;
+/// a node in two bodies, or under another condition; an inertia that no body has; velocities at the start that no rigid
+/// motion has; guides that exclude each other.
 ///   RigidBody{Mesh{mesh.nodes, ball}, 7850}
 ///   RigidBody{Mesh{mesh.nodes, ball}, Inertia{0.1, centre, moment}}.with_nodes(nodes)
 ///   RigidBody{nodes, Inertia{0.1, centre, moment}, HeldBody{{unit(Axis::x)}}}
+///   RigidBody{nodes, TotalInertia{{0.1, centre, moment}}}
 template <class... Guides>
 class RigidBody {
  public:
@@ -42,6 +43,10 @@ class RigidBody {
 
   explicit RigidBody(std::vector<Index> nodes, const Inertia& own = {}, Guides... guides)
       : nodes_(detail::ascending(std::move(nodes))), own_(own), guides_(std::move(guides)...) {}
+  RigidBody(std::vector<Index> nodes, const TotalInertia& whole, Guides... guides)
+      : RigidBody(std::move(nodes), static_cast<const Inertia&>(whole), std::move(guides)...) {
+    replaces_ = is_total_ = true;
+  }
   /// The cells of a mesh, of this density; plates have this thickness.
   RigidBody(const Mesh& mesh, double density, double thickness, Guides... guides) : guides_(std::move(guides)...) {
     std::vector<double> nodal(mesh.nodes.size(), 0.0);
@@ -72,6 +77,13 @@ class RigidBody {
   RigidBody(const Mesh& mesh, const Inertia& own, Guides... guides)
     requires(!(std::is_arithmetic_v<Guides> || ...))
       : RigidBody(mesh, own, 0.0, std::move(guides)...) {}
+  RigidBody(const Mesh& mesh, const TotalInertia& whole, double thickness, Guides... guides)
+      : RigidBody(mesh, static_cast<const Inertia&>(whole), thickness, std::move(guides)...) {
+    is_total_ = true;
+  }
+  RigidBody(const Mesh& mesh, const TotalInertia& whole, Guides... guides)
+    requires(!(std::is_arithmetic_v<Guides> || ...))
+      : RigidBody(mesh, whole, 0.0, std::move(guides)...) {}
 
   /// The same body with more nodes, by which it carries what hangs on them. Their masses from elements are its own too.
   RigidBody with_nodes(std::vector<Index> more) const {
@@ -124,10 +136,10 @@ class RigidBody {
     number_ = nodes.bodies().size();
     check_inertia(nodes);
     const std::vector<double> masses = nodal_masses(nodes);
-    nodes.add_body(nodes_, own_, pivot);
+    nodes.add_body(nodes_, whole(nodes), pivot);
     Inertia lumped;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      lumped.add(masses[k], nodes.x(nodes_[k]).template cast<double>());
+      lumped.add(masses[k] + (is_total_ ? nodes.mass(nodes_[k]) : 0), nodes.x(nodes_[k]).template cast<double>());
       nodes.add_mass(nodes_[k], masses[k]);
     }
     RigidMotion& body = nodes.bodies()[number_];
@@ -231,17 +243,30 @@ class RigidBody {
       throw Error(detail::joined({"strike: the rigid body ", std::to_string(number_), ": ", why, "."}));
     };
     if (const std::string fault = detail::fault_of(own_, replaces_); !fault.empty()) refuse(fault);
-    Inertia all = own_, even;
-    for (const Index i : nodes_) {
-      const Eigen::Vector3d x = nodes.x(i).template cast<double>();
-      all.add(nodes.mass(i), x), even.add(1, x);
-      if constexpr (N::nodes_turn) all.moment += SymmetricTensor<double>::isotropic(nodes.inertia(i));
-    }
+    if (is_total_)
+      if (const std::string fault = detail::fault_of(TotalInertia{own_}, with_nodes_of({}, nodes)); !fault.empty())
+        refuse(fault);
+    const Inertia all = whole(nodes);
+    Inertia even;
+    for (const Index i : nodes_) even.add(1, nodes.x(i).template cast<double>());
     if (!(all.mass > 0)) return;  // told where masses are checked
     const std::optional<Eigen::Vector3d> line = RigidMotion::axis_without_inertia(all.moment);
     const double size = trace(even.moment), about = line ? line->dot(even.moment * *line) : 0;
     if (size > 0 && (!(trace(all.moment) > 0) || about > 1e-6 * size))
       refuse("its nodes lie apart and it has no moment of inertia; give its Inertia one");
+  }
+  /// An inertia with that which the nodes have from elements.
+  template <class N>
+  Inertia with_nodes_of(Inertia all, const N& nodes) const {
+    for (const Index i : nodes_) {
+      all.add(nodes.mass(i), nodes.x(i).template cast<double>());
+      if constexpr (N::nodes_turn) all.moment += SymmetricTensor<double>::isotropic(nodes.inertia(i));
+    }
+    return all;
+  }
+  template <class N>
+  Inertia whole(const N& nodes) const {
+    return is_total_ ? own_ : with_nodes_of(own_, nodes);
   }
   /// Masses of the nodes: of cells theirs, else those that have the sum and the centre of its own if there are such, m
   /// (1 + a . (x - mean)), or equal ones. Nodes without any mass get a mean one. By none of these does the body move.
@@ -249,15 +274,19 @@ class RigidBody {
   std::vector<double> nodal_masses(const N& nodes) const {
     std::vector<double> masses = is_of_cells_ ? masses_ : shares(nodes);
     double all = own_.mass;
-    for (const Index i : nodes_) all += nodes.mass(i);
+    if (!is_total_)
+      for (const Index i : nodes_) all += nodes.mass(i);
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       if (!(masses[k] + nodes.mass(nodes_[k]) > 0)) masses[k] = all / static_cast<double>(nodes_.size());
     return masses;
   }
   template <class N>
   std::vector<double> shares(const N& nodes) const {
-    std::vector<double> masses(nodes_.size(), own_.mass / static_cast<double>(nodes_.size()));
-    if (!(own_.mass > 0)) return masses;
+    double mass = own_.mass;  // beside that of elements
+    if (is_total_)
+      for (const Index i : nodes_) mass -= nodes.mass(i);
+    std::vector<double> masses(nodes_.size(), std::max(0.0, mass) / static_cast<double>(nodes_.size()));
+    if (!(mass > 0)) return masses;
     Inertia even;
     for (const Index i : nodes_) even.add(1, nodes.x(i).template cast<double>());
     // sum of (x - mean)(x - mean), which is tr(J)/2 I - J; lifted where the nodes lie in a plane or a line
@@ -367,6 +396,7 @@ class RigidBody {
   std::vector<Index> nodes_;
   std::vector<double> masses_;                   // of the nodes, from its cells
   bool is_of_cells_ = false, replaces_ = false;  // it has cells; its inertia is not theirs
+  bool is_total_ = false;                        // with the masses that its nodes have from elements
   struct Start {
     Eigen::Vector3d velocity, angular_velocity;
   };
@@ -385,6 +415,8 @@ class RigidBody {
 
 template <class... Guides>
 RigidBody(std::vector<Index>, Inertia, Guides...) -> RigidBody<Guides...>;
+template <class... Guides>
+RigidBody(std::vector<Index>, TotalInertia, Guides...) -> RigidBody<Guides...>;
 template <class Thickness, class... Guides>
   requires std::is_arithmetic_v<Thickness>
 RigidBody(Mesh, double, Thickness, Guides...) -> RigidBody<Guides...>;
@@ -397,5 +429,11 @@ RigidBody(Mesh, Inertia, Thickness, Guides...) -> RigidBody<Guides...>;
 template <class... Guides>
   requires(!(std::is_arithmetic_v<Guides> || ...))
 RigidBody(Mesh, Inertia, Guides...) -> RigidBody<Guides...>;
+template <class Thickness, class... Guides>
+  requires std::is_arithmetic_v<Thickness>
+RigidBody(Mesh, TotalInertia, Thickness, Guides...) -> RigidBody<Guides...>;
+template <class... Guides>
+  requires(!(std::is_arithmetic_v<Guides> || ...))
+RigidBody(Mesh, TotalInertia, Guides...) -> RigidBody<Guides...>;
 
 }  // namespace strike

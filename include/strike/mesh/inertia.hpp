@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -43,6 +44,13 @@ struct Inertia {
   }
 };
 
+/// The inertia of a rigid body as a whole, with the masses that its nodes have from elements, as _INERTIA of LS-DYNA
+/// gives it.
+///   TotalInertia{{mass, centre, moment}}
+struct TotalInertia : Inertia {
+  explicit TotalInertia(const Inertia& whole) : Inertia(whole) {}
+};
+
 /// Inertia of the cells of a mesh, of this density and, of plates, thickness: exact for trilinear hexahedra,
 /// tetrahedra, triangles and bilinear plates (Gauss points). Adds the masses of the nodes, shares of their cells with
 /// the same sum and the same centre, to `nodal`. Errors: no cells; plates without a thickness; a density that is not
@@ -79,6 +87,21 @@ inline std::string fault_of(const Inertia& own, bool whole) {
     return joined({is,
                    ", of which a principal moment is larger than the sum of the others, as of no body; look at its "
                    "units, its centre and the signs of xy, yz and zx"});
+  return "";
+}
+/// Why no body as a whole has this inertia if its nodes have that of elements; empty if one may. The rest would move
+/// elements by a negative mass, and no step would be stable.
+inline std::string fault_of(const TotalInertia& whole, const Inertia& of_nodes) {
+  const double m = of_nodes.mass, M = whole.mass;
+  if (m > (1 + 1e-9) * M)
+    return joined({"its total mass is ", text(M), ", and its nodes alone have ", text(m),
+                   " from elements; give its TotalInertia at least that, or it an Inertia beside that of its nodes"});
+  const SymmetricTensor<double> rest =
+      whole.moment + (-1.0) * of_nodes.moment +
+      (-M * m / std::max(M - m, 1e-9 * M)) * Inertia::about(of_nodes.centre - whole.centre);
+  if (m > 0 && !is_positive_definite(rest + SymmetricTensor<double>::isotropic(1e-6 * trace(whole.moment))))
+    return "its total moment of inertia is below that of the masses that its nodes have from elements; give its "
+           "TotalInertia a larger one, or it an Inertia beside that of its nodes";
   return "";
 }
 

@@ -76,9 +76,9 @@ class Nodes {
     if (i >= size()) refuse(i);
   }
 
-  /// Nodes move as one body from now on, whose inertia is its own and that of all the nodes; about a point that does
-  /// not move, if there is one. Returns its number. Error: a node belongs to another body.
-  std::size_t add_body(std::vector<Index> numbers, Inertia own, const std::optional<Eigen::Vector3d>& pivot) {
+  /// Nodes move as one body of this inertia from now on; about a point that does not move, if there is one. Returns its
+  /// number. Error: a node belongs to another body.
+  std::size_t add_body(std::vector<Index> numbers, const Inertia& whole, const std::optional<Eigen::Vector3d>& pivot) {
     body_of_.resize(size(), no_body);
     std::vector<Eigen::Vector3d> places;
     for (const Index i : numbers) {
@@ -90,10 +90,8 @@ class Nodes {
       body_of_[i] = static_cast<Index>(bodies_.size());
       if (!(mass(i) > 0)) bare_.push_back(place_[i]);
       places.push_back(x(i).template cast<double>());
-      own.add(mass(i), places.back());
-      if constexpr (turn) own.moment += SymmetricTensor<double>::isotropic(inertia(i));
     }
-    bodies_.emplace_back(std::move(numbers), places, own, pivot);
+    bodies_.emplace_back(std::move(numbers), places, whole, pivot);
     return bodies_.size() - 1;
   }
   std::vector<RigidMotion>& bodies() { return bodies_; }

@@ -38,6 +38,21 @@ TEST_CASE("Prony: a strain that is held relaxes as G(t), exactly, in steps of an
   }
 }
 
+TEST_CASE("Prony: a term without a share changes no bit, not even the sign of a zero") {
+  const Prony<1> one{.shear_modulus = 10, .terms = {{.share = .7, .time = 1}}};
+  const Prony<3> more{.shear_modulus = 10, .terms = {{0, 2}, {.7, 1}, {0, 1}}};
+  Prony<1>::State<double> a;
+  Prony<3>::State<double> b;
+  Tensor s{.xy = -0.0}, r = s;
+  for (int i = 0; i < 50; ++i) {
+    const Tensor d{.xx = 1e-3 * i, .yy = -1e-3 * i, .xy = -0.0, .yz = 1e-2 * std::cos(i)};
+    s = advance_deviator(one, a, s, d, .1), r = advance_deviator(more, b, r, d, .1);
+    CHECK(s.yz == r.yz);
+    CHECK(s.xx == r.xx);
+    CHECK(std::signbit(s.xy) == std::signbit(r.xy));
+  }
+}
+
 TEST_CASE("Prony: a constant rate gives rate int G dt, in one step as in a thousand") {
   // int_0^t G = G0 [(1 - sum g) t + sum g t_k (1 - exp(-t/t_k))]
   for (const double t : {1e-4, 3e-3, 2.0})

@@ -139,9 +139,10 @@ inline constexpr Meaning of_bulk_viscosity{"`bulk_viscosity`",
                                            "TYPE other than 1, BTYPE, TSTYPE"};
 inline constexpr Meaning of_default_hourglass{"`deck.hourglass(part)` of parts without one", "as `*HOURGLASS`",
                                               "nothing"};
-inline constexpr Meaning of_shell_control{"`shell_control`: WRPANG, ISTUPD, THEORY, BWC, PROJ", "-",
+inline constexpr Meaning of_shell_control{"`shell_control`: WRPANG, ISTUPD, THEORY, BWC, PROJ",
+                                          "THEORY of sections without ELFORM",
                                           "ESORT, MITER, all fields of further cards; IRNXX, passed in silence; in a "
-                                          "scene: ISTUPD, and WRPANG, THEORY, BWC and PROJ, passed in silence"};
+                                          "scene: ISTUPD, WRPANG, BWC and PROJ"};
 inline constexpr Meaning of_contact_control{
     "`contact_stiffness` (SLSFAC)", "-",
     "all other fields; ISLCHK, IGNORE, FRCENG, SKIPRWG and OUTSEG, passed in silence; in a scene: SLSFAC"};

@@ -338,6 +338,8 @@ inline void null(File& file, Draft& draft) {
   const NullMaterial material{head.density, head.card.number("MU")};
   file.ignore(head.card.number("TEROD"), "TEROD");
   file.ignore(head.card.number("CEROD"), "CEROD");
+  file.ignore(head.card.number("YM"), "YM, of null shells,");
+  file.ignore(head.card.number("PR"), "PR, of null shells,");
   add(file, draft, head, material, cutoff);
 }
 
@@ -383,25 +385,30 @@ inline constexpr Meaning of_johnson_cook{
     "`*MAT_ADD_EROSION`"};
 inline constexpr Meaning of_null{"`NullMaterial`: density, viscosity, needs an equation of state",
                                  "`Fluid` with `Newtonian{MU}`, in hexahedra",
-                                 "TEROD, CEROD; YM and PR, passed in silence"};
+                                 "TEROD, CEROD; YM and PR, of null shells"};
 inline constexpr Meaning of_isotropic_plastic{"`PlasticMaterial`: `LinearEos`, `RateVonMises`",
                                               "`Solid` of `RateVonMises`", "further fields"};
-inline constexpr Meaning of_power_law{"`PowerMaterial`: `PowerHardening`, SRC and SRP as its `rate`", "-",
-                                      "VP 0; in a scene: all of it"};
-inline constexpr Meaning of_simplified_johnson_cook{"`SimplifiedJohnsonCookMaterial`: `JohnsonCook` without heat", "-",
-                                                    "SIGMAX, SIGSAT, VP 0; in a scene: all of it"};
+inline constexpr Meaning of_power_law{
+    "`PowerMaterial`: `PowerHardening`, SRC and SRP as its `rate`",
+    "`Solid` of `PowerHardening`, with a rate of `CowperSymonds{PowerHardening{...}, SRC, SRP}`, with `FailureStrain` "
+    "and `Erosion{}` if it fails; in hexahedra and plates",
+    "VP 0; in a scene: triangles with a rate or that fail"};
+inline constexpr Meaning of_simplified_johnson_cook{
+    "`SimplifiedJohnsonCookMaterial`: `JohnsonCook` without heat",
+    "`Solid` of `JohnsonCook`, with `FailureStrain` and `Erosion{}` if it fails; in hexahedra and plates",
+    "SIGMAX, SIGSAT, VP 0; in a scene: triangles that fail"};
 inline constexpr Meaning of_zerilli_armstrong{
-    "`ZerilliArmstrongMaterial`: `ZerilliArmstrong`, needs an equation of state", "-",
-    "SPALL, VP 0, G2 to G4, BULK, M of fcc metals, the change of B2 and B3 with the temperature; in a scene: the "
-    "material"};
-inline constexpr Meaning of_mooney_rivlin{
-    "`RubberMaterial`: `MooneyRivlin`", "-",
-    "REF; the material if A or B is negative, or fitted to LCID; in a scene: all of it"};
-inline constexpr Meaning of_viscoelastic{"`ViscoelasticMaterial`: `Prony<1>`", "-",
-                                         "the material if BETA is a curve; in a scene: all of it"};
+    "`ZerilliArmstrongMaterial`: `ZerilliArmstrong`, needs an equation of state",
+    "`Solid` of `ZerilliArmstrong` and `GruneisenEos`, in hexahedra, with `FailureStrain` and `Erosion{}` if it fails",
+    "SPALL, VP 0, G2 to G4, BULK, M of fcc metals, the change of B2 and B3 with the temperature; in a scene: other "
+    "equations of state"};
+inline constexpr Meaning of_mooney_rivlin{"`RubberMaterial`: `MooneyRivlin`", "`Solid` of `MooneyRivlin`, in hexahedra",
+                                          "REF; the material if A or B is negative, or fitted to LCID"};
+inline constexpr Meaning of_viscoelastic{"`ViscoelasticMaterial`: `Prony<1>`", "`Solid` of `Prony<1>`, in hexahedra",
+                                         "the material if BETA is a curve"};
 inline constexpr Meaning of_general_viscoelastic{
-    "`PronyMaterial`: `m.strength<3>()`", "-",
-    "PCF, EF, TREF, A, B, LCID, LCIDK, BETAKI; the material if fitted to LCID; in a scene: all of it"};
+    "`PronyMaterial`: `m.strength<3>()`", "`Solid` of `Prony` of up to six terms, in hexahedra",
+    "PCF, EF, TREF, A, B, LCID, LCIDK, BETAKI; the material if fitted to LCID; in a scene: more terms"};
 inline constexpr Meaning of_rigid{
     "`RigidMaterial`: density, and the axes of CMO, CON1 and CON2", "`RigidBody` of the part's cells, with `HeldBody`",
     "N, COUPLE, M, ALIAS, LCO, A and V; in a scene: a density other than that of the part with which it moves"};

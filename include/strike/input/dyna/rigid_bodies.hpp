@@ -71,9 +71,11 @@ inline constexpr Meaning of_rigid_merges{"`rigid_merges`: numbers of parts or bo
                                          "IFLAG; in a scene: merges of bodies of nodes"};
 inline constexpr Meaning of_extra_nodes{"`extra_nodes` of a part or body", "`.with_nodes(...)` of the `RigidBody`",
                                         "IFLAG"};
-inline constexpr Meaning of_rigid_bodies{"`rigid_bodies`: nodes, what holds them (`_SPC`), inertia",
-                                         "`RigidBody` of the nodes, with `HeldBody`",
-                                         "CID, PNODE, DRFLAG, RRFLAG, the card of `_OVERRIDE`; in a scene: `_INERTIA`"};
+inline constexpr Meaning of_rigid_bodies{
+    "`rigid_bodies`: nodes, what holds them (`_SPC`), inertia",
+    "`RigidBody` of the nodes, with `HeldBody`; of `_INERTIA` with its mass, centre and tensor as `TotalInertia`, and "
+    "its velocity, whatever `*INITIAL_VELOCITY` says",
+    "CID, PNODE, DRFLAG, RRFLAG, the card of `_OVERRIDE`"};
 inline constexpr auto rigid_keywords = std::to_array<Keyword>({
     {"*CONSTRAINED_RIGID_BODIES", rigid_merges, Invariant::everywhere, &of_rigid_merges},
     {"*CONSTRAINED_EXTRA_NODES_NODE", extra_nodes<Named::node>, Invariant::everywhere, &of_extra_nodes},

@@ -22,6 +22,7 @@ inline void pass_user_cards(FileNumber form, std::size_t fields, File& file) {
 inline void solid_section(File& file, Draft& draft) {
   file.for_each_titled_card([&](Card card) {
     const FileNumber number = draft.own_number("section", Id::other, card, file), form = card.integer("ELFORM", 1);
+    file.ignore(card.number("AET"), "AET");
     draft.deck.sections.push_back({.number = number, .element_form = form, .corner_thickness = {}});
     pass_user_cards(form, 3, file);  // NXDOF, IHGF, ITAJ
   });
@@ -56,10 +57,13 @@ inline void hourglass(File& file, Draft& draft) {
     const FileNumber number = draft.own_number("hourglass control", Id::other, card, file);
     HourglassCard control{.number = number, .type = card.integer("IHQ", 1)};
     control.coefficient = card.number("QM", 0.1);
-    card.pass(1);
+    const double kind = card.number("IBQ", 1);
+    file.ignore(kind == 1 ? 0 : kind, "IBQ");
     control.quadratic = card.number("Q1", 1.5);
     control.linear = card.number("Q2", 0.06);
-    control.bending = card.number("QB", control.coefficient);
+    const double coefficient = card.number("QB or VDC");
+    if (control.type == 6 || control.type == 7) file.ignore(coefficient, "VDC");
+    control.bending = coefficient != 0 ? coefficient : control.coefficient;
     control.warping = card.number("QW", control.coefficient);
     draft.deck.hourglass_controls.push_back(control);
   });
@@ -69,7 +73,7 @@ inline void nothing_more(File&, Draft&) {}
 inline void title_of_run(File& file, Draft&) { file.pass(); }
 inline void title(File& file, Draft& draft) { draft.deck.title = file.heading(); }
 inline constexpr Meaning of_solid_section{"`deck.section(part)`: form", "the choice of `Hex8`",
-                                          "the element of a user; AET, passed in silence"};
+                                          "the element of a user, AET"};
 inline constexpr Meaning of_shell_section{
     "`deck.section(part)`: form, thickness, points, shear factor, reference surface",
     "`Homogeneous{PlaneStress{...}, T1}` of five points by Simpson's rule; of plies `Layered`",
@@ -77,7 +81,7 @@ inline constexpr Meaning of_shell_section{
     "a scene: NIP other than 5, SHRF other than 5/6, T2 to T4 other than T1, NLOC without layers"};
 inline constexpr Meaning of_hourglass{"`deck.hourglass(part)`: type, coefficients, bulk viscosity",
                                       "`ViscousHourglass{QM}`, `BulkViscosity{Q1, Q2}` of solids",
-                                      "IBQ and VDC, passed in silence; in a scene: all of plates"};
+                                      "IBQ, VDC; in a scene: all of plates"};
 inline constexpr Meaning of_nothing{"-", "-", "nothing"};
 inline constexpr Meaning of_end{"nothing is read after it", "the same", "nothing"};
 inline constexpr Meaning of_title{"`title`", "`title`", "nothing"};

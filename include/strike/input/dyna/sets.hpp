@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,13 @@ inline constexpr SetKind shell_sets{"set of shells", Id::element, shells,
                                     [](Draft& draft) -> auto& { return draft.raw.element_sets; }};
 inline constexpr SetKind part_sets{"set of parts", Id::part, 0, [](Draft& draft) -> auto& { return draft.part_sets; }};
 
+/// DA1 to DA4, attributes that contacts take.
+inline void tell_attributes(Card& head, File& file) {
+  double sum = 0;
+  for (int field = 0; field < 4; ++field) sum += std::abs(head.number("DA1 to DA4"));
+  file.ignore(sum, "DA1 to DA4");
+}
+
 /// Numbers one by one, in pairs of the first and the last, or with a step.
 enum class Listed { singly, in_ranges, in_steps };
 template <const SetKind& kind, Listed listed = Listed::singly>
@@ -37,6 +45,7 @@ void set(File& file, Draft& draft) {
   std::vector<RawMesh::Set>& all = kind.sets(draft);
   set.number = file.collects() ? head.own_tag("the number of a set", kind.name, Id::set)
                                : draft.own_number(kind.name, Id::set, head, file);
+  if (&kind != &solid_sets) tell_attributes(head, file);  // whose second field is SOLVER
   file.for_each_card([&](Card card) {
     constexpr int fields = listed == Listed::singly ? 1 : listed == Listed::in_ranges ? 2 : 3;
     for (int field = 0; field + fields <= 8; field += fields) {
@@ -63,7 +72,9 @@ void set(File& file, Draft& draft) {
 inline PendingSet pending_set(File& file, Draft& draft, std::string_view kind) {
   std::string name = file.title();
   Card head = file.card();
-  return {draft.own_number(kind, Id::set, head, file), std::move(name), file.line(), {}};
+  const FileNumber number = draft.own_number(kind, Id::set, head, file);
+  if (kind != solid_sets.name) tell_attributes(head, file);
+  return {number, std::move(name), file.line(), {}};
 }
 /// A set of the nodes, cells or parts of other sets.
 template <const SetKind& kind>
@@ -132,6 +143,7 @@ inline void segment_set(File& file, Draft& draft) {
   std::string name = file.title();
   Card head = file.card();
   PendingSegments set{draft.own_number("set of segments", Id::set, head, file), std::move(name), {}};
+  tell_attributes(head, file);
   file.for_each_card([&](Card card) {
     set.segments.push_back(segment_of(card, file));
     file.ignore_rest(card);
@@ -140,15 +152,14 @@ inline void segment_set(File& file, Draft& draft) {
 }
 
 inline constexpr Meaning of_node_sets{"`node_sets`, of sets before and after too", "nodes of other cards",
-                                      "DA1 to DA4, passed in silence"};
+                                      "DA1 to DA4"};
 inline constexpr Meaning of_general_sets{"`node_sets`, of ALL, NODE, PART, BOX and the same with D",
-                                         "nodes of other cards", "other options, which are refused"};
+                                         "nodes of other cards", "DA1 to DA4; other options, which are refused"};
 inline constexpr Meaning of_cell_sets{"`cell_sets`, of sets before and after too", "cells of other cards",
-                                      "DA1 to DA4, passed in silence"};
+                                      "DA1 to DA4"};
 inline constexpr Meaning of_part_sets{"`part_sets`, of sets before and after too", "parts of other cards",
-                                      "DA1 to DA4, passed in silence"};
-inline constexpr Meaning of_segment_sets{"`segment_sets`", "faces of other cards",
-                                         "DA1 to DA4, passed in silence; A1 to A4 of a segment"};
+                                      "DA1 to DA4"};
+inline constexpr Meaning of_segment_sets{"`segment_sets`", "faces of other cards", "DA1 to DA4; A1 to A4 of a segment"};
 inline constexpr Meaning of_boxes{"nodes of `*SET_NODE_GENERAL`", "the same", "nothing"};
 inline constexpr auto set_keywords = std::to_array<Keyword>({
     {"*SET_NODE", set<node_sets>, Invariant::everywhere, &of_node_sets},

@@ -165,15 +165,13 @@ inline constexpr Meaning of_planar_walls{
     "`walls`: edges, mass and speed",
     "`RigidWall`; with edges `Contact{NodeToRigid{...}, Coulomb{FRIC}}` with a `RigidSurface`; what moves is a "
     "`RigidBody` and touched as `Carried{RigidPlane{...}}`, or with edges by `NodeToSurface`",
-    "`_ORTHO`, which is refused; BOXID, OFFSET, BIRTH, DEATH, RWKSF, FRIC 1 to 3, the card of `_FORCES`; in a scene: "
-    "walls that end in one direction alone"};
+    "`_ORTHO`, which is refused; BOXID, OFFSET, BIRTH, DEATH, RWKSF, FRIC 1 to 3, the card of `_FORCES`"};
 inline constexpr Meaning of_shaped_walls{
     "`walls` of `_FLAT`; `obstacles`: their shape; motion of both",
     "`RigidWall`; `Contact{NodeToRigid{...}, Coulomb{FRIC}}` with a `RigidSphere`, `RigidCylinder` or, of `_FLAT` with "
     "edges, `RigidSurface`; what moves is a `RigidBody` with `BodyVelocity` or `BodyDisplacement`, touched as "
     "`Carried`, or with edges by `NodeToSurface`",
-    "`_PRISM`, `_INTERIOR` and `_DEFORM`, which are refused; BOXID, BIRTH, DEATH, FRIC 1 to 3, segments of a cylinder; "
-    "in a scene: walls that end in one direction alone"};
+    "`_PRISM`, `_INTERIOR` and `_DEFORM`, which are refused; BOXID, BIRTH, DEATH, FRIC 1 to 3, segments of a cylinder"};
 /// The readers of *RIGIDWALL_PLANAR and _GEOMETRIC with any of their options; null for other keywords.
 inline const Keyword* wall_keyword(std::string_view name) {
   static constexpr Keyword planar{planar_wall, wall, Invariant::none, &of_planar_walls},

@@ -15,7 +15,7 @@ namespace strike {
 ///   G(t) = G0 [1 - sum g_k (1 - exp(-t/t_k))]
 /// and the part of each element is integrated exactly for a constant rate in the step, at any dt/t_k (Taylor, Pister
 /// and Goudreau 1970): h <- exp(-dt/t_k) h + 2 G0 g_k (1 - exp(-dt/t_k))/(dt/t_k) d. Recovery: after a quick load and
-/// unload the stress at rest grows towards that of the spring.
+/// unload the stress at rest grows towards that of the spring. A term without a share changes no bit.
 ///   Prony<2> pvb{.shear_modulus = G0, .terms = {{.share = .9, .time = 1e-3}, {.share = .09, .time = 1}}};
 template <std::size_t n>
 struct Prony {
@@ -61,6 +61,7 @@ struct Prony {
     SymmetricTensor<T> next = s + T(G2) * d;
     for (std::size_t k = 0; k < n; ++k) {
       const auto [g, time] = terms[k];
+      if (!(g > 0)) continue;
       const double x = dt / time, lost = -std::expm1(-x), mean = x > 0 ? lost / x : 1;
       SymmetricTensor<T>& h = state.overstress[k];
       const SymmetricTensor<T> relaxed = T(lost) * h + T((1 - mean) * G2 * g) * d;
