@@ -373,7 +373,7 @@ TEST_CASE("dyna laws: a table of pressures by points, falling or rising, in ever
 
   refuses_cube("*EOS_TABULATED\n1\n",
                "line 16: equation of state 1 cannot follow its points: a TabulatedEos has 0 points");
-  refuses_cube("*EOS_TABULATED\n1\n0,-.1,-.05\n\n0,1,2\n",
+  refuses_cube("*EOS_TABULATED\n1\n0,-.1,-.05,-.2\n\n0,1,2,3\n",
                "line 16: equation of state 1 cannot follow its points: the volumetric_strain of point 2");
   refuses_cube("*EOS_TABULATED\n1\n0,-.1\n\n0,-1\n", "the bulk modulus from point 0 to point 1 is -10");
   CHECK_THROWS_WITH(read_cube("*MAT_NULL\n1,2e-6\n*EOS_TABULATED\n1\n0,-.1\n\n0,1\n").eos<PolynomialEos>(1),

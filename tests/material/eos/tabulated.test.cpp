@@ -168,7 +168,7 @@ TEST_CASE("tabulated EOS: float, lanes and dual numbers give the value of double
     CHECK(B[k] == Approx(water.B(all[k])).epsilon(4e-16).margin(2e-16 * 3));
     CHECK(water.A(float(all[k])) == Approx(water.A(double(float(all[k])))).epsilon(2e-7).margin(1e-7 * 7.5e9));
     const D dual = water.A(D::variable(all[k], 0));
-    CHECK(dual.value() == water.A(all[k]));
+    CHECK(dual.value() == Approx(water.A(all[k])).epsilon(4e-16).margin(2e-16 * 7.5e9));
     const double h = 1e-6;
     CHECK(dual.derivative(0) == Approx((water.A(all[k] + h) - water.A(all[k] - h)) / (2 * h)).epsilon(1e-8));
   }
