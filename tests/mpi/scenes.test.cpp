@@ -47,6 +47,58 @@ TEST_CASE("a bar that strikes a wall, with its supports and loads") {
   CHECK(serial.template part<0>().field(strain) == run.template part<0>().field(strain));
 }
 
+TEST_CASE("processes share the nodes where every item names its own") {
+  const Mesh block = box({.size = {4, 2, 2}, .cells = {28, 12, 12}});
+  Mesh mesh = block;
+  const Index lid = append(mesh, translated(box({.size = {1, 1, .2}, .cells = {5, 5, 1}}), {2.1, .4, 2.01}));
+  const Cells<8> of_lid(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(block.hexahedra.size()),
+                        mesh.hexahedra.end());
+  const Index rib = append(mesh, translated(box({.size = {.5, 1, .4}, .cells = {2, 4, 2}}), {.2, .3, 2}));
+  const Cells<8> of_rib(mesh.hexahedra.end() - 16, mesh.hexahedra.end());
+  std::vector<Index> flying, foot;
+  for (Index i = lid; i < rib; ++i) flying.push_back(i);
+  for (Index i = rib; i < mesh.nodes.size(); ++i)
+    if (mesh.nodes[i].z() < 2.01) foot.push_back(i);
+  Cells<4> skin;
+  std::vector<Face> pressed;
+  for (const auto& cell : block.hexahedra) {
+    if (mesh.nodes[cell[0]].y() == 0) skin.push_back({cell[0], cell[1], cell[5], cell[4]});
+    if (mesh.nodes[cell[1]].x() == 4) pressed.push_back(Face{{cell[1], cell[2], cell[6], cell[5]}, 0});
+  }
+  const auto bodies = [&](const auto&... more) {
+    return Scene{mesh.nodes,
+                 Part{Hex8{}, copper, block.hexahedra},
+                 Part{Plate4{}, Homogeneous{PlaneStress{copper}, .05}, skin},
+                 Part{Hex8{ViscousHourglass{}}, copper, of_rib},
+                 RigidBody{Mesh{mesh.nodes, of_lid}, 8e-6},
+                 InitialVelocity{{1, 5, -100}, flying},
+                 more...};
+  };
+  const std::vector<Index> side = nodes_where(block.nodes, on_plane(Axis::x, 0));
+  const auto loaded = [&] {
+    return bodies(Contact{TwoWay{Surface{surface(Mesh{mesh.nodes, of_lid})}, Surface{surface(block)}}, Coulomb{.2}},
+                  Support{side, {unit(Axis::x)}, {unit(Axis::y)}}, Pressure{pressed, Constant{.01}},
+                  Tied{foot, Surface{surface(block)}, .05}, NodalForce{{0, 0, -.1}, {40, 41}},
+                  PrescribedVelocity{Axis::z, nodes_where(block.nodes, on_plane(Axis::z, 0)), Constant{.5}},
+                  RigidWall{{0, 0, -.1}, {0, 0, 1}, foot});
+  };
+  auto [run, alone] = testing::runs_alike(loaded, 60);
+  CHECK(run.energy().friction > 0);
+  const auto& nodes = run.nodes();
+  run.step();
+  bool knows_all = true;
+  try {
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) (void)nodes.x(i);
+  } catch (const Error& error) {
+    knows_all = false;
+    CHECK(std::string(error.what()).find("is on another process") != std::string::npos);
+  }
+  CHECK(testing::everywhere(knows_all == (session.size() == 1)));
+  alone.step();
+  CHECK(testing::everywhere(run.positions() == alone.positions() && run.velocities() == alone.velocities()));
+  testing::runs_alike(loaded, 40, in<Pack<float>, double>);
+}
+
 TEST_CASE("cells of several kinds that share nodes, in mixed precision, with a step of the mesh as a whole") {
   const Mesh core = box({.size = {2, 2, 2}, .cells = {8, 8, 8}});
   Mesh mesh = core;

@@ -65,6 +65,8 @@ class Contact {
     }
   }
 
+  const std::vector<Index>& nodes_named() const { return all_.numbers(); }
+
   template <class N, class Ledger, Execution E = Serial>
   void resolve_contact(N& nodes, const Step& step, Ledger& ledger, const E& execution = {})
     requires detail::is_plain<N>

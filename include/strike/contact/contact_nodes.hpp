@@ -197,6 +197,7 @@ class ContactNodes {
   std::size_t size() const { return x.size(); }
   /// Number of node i in the scene.
   Index number(Index i) const { return number_[i]; }
+  const std::vector<Index>& numbers() const { return number_; }
   /// Node of a number in the scene, which must be one of this contact's.
   Index local(Index number) const {
     return static_cast<Index>(std::lower_bound(number_.begin(), number_.end(), number) - number_.begin());

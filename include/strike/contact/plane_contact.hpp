@@ -89,6 +89,13 @@ class PlaneContact {
     return step;
   }
 
+  std::vector<Index> nodes_named() const {
+    if (!everywhere_) return nodes_;
+    std::vector<Index> all(places_.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    return all;
+  }
+
   template <class N, class Ledger>
   void resolve_contact(N& nodes, const Step& step, Ledger& ledger) {
     using Number = typename N::Number;

@@ -78,6 +78,8 @@ class Tied {
     }
   }
 
+  const std::vector<Index>& nodes_named() const { return all_.numbers(); }
+
   template <class N, class Ledger>
   void resolve_contact(N& nodes, const Step& step, Ledger& ledger)
     requires detail::is_plain<N>

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -134,7 +135,47 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
     }
   }
 
-  void kick() { ledger_.kinetic = detail::kick(this->nodes_, step_.kick(), execution_, kinetic_); }
+  void kick() {
+    if constexpr (Items::has_ranks)
+      if (shares_nodes()) return kick_shared();
+    ledger_.kinetic = detail::kick(this->nodes_, step_.kick(), execution_, kinetic_);
+  }
+
+  /// The first step knows the forces at all nodes.
+  bool shares_nodes() const { return !this->share_.is_whole() && step_.number > 1; }
+  /// Each process its own nodes, and all those that items name.
+  void kick_shared() {
+    auto& nodes = this->nodes_;
+    this->know_all(false);
+    const auto [begin, end] = this->share_.own();
+    const std::size_t first_chunk = chunks(begin);
+    for_each_chunk(execution_, end - begin, [&](std::size_t k, std::size_t first, std::size_t last) {
+      kinetic_[first_chunk + k] = detail::kick(nodes, step_.kick(), begin + first, begin + last);
+    });
+    for (const auto& [first, last] : this->share_.named_of_others()) detail::kick(nodes, step_.kick(), first, last);
+    this->share_.exchange_chunks(nodes.ranks(), kinetic_);
+    ledger_.kinetic = 0.5 * std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0);
+  }
+  void drift_nodes() {
+    if constexpr (Items::has_ranks)
+      if (shares_nodes()) return drift_shared();
+    detail::drift(this->nodes_, step_.dt, execution_);
+  }
+  /// And copies of those that its elements name.
+  void drift_shared() {
+    auto& nodes = this->nodes_;
+    const PlaceLists& lent = this->share_.lent();
+    if constexpr (Nodes::nodes_turn)
+      nodes.ranks().trade(lent, nodes.velocity(), lent, nodes.angular_velocity());
+    else
+      nodes.ranks().trade(lent, nodes.velocity());
+    const auto [begin, end] = this->share_.own();
+    for_each_chunk(execution_, end - begin, [&](std::size_t, std::size_t first, std::size_t last) {
+      detail::drift(nodes, step_.dt, begin + first, begin + last);
+    });
+    for (const auto& [first, last] : this->share_.others()) detail::drift(nodes, step_.dt, first, last);
+    place_bodies(nodes);
+  }
 
   void constrain() {
     for (const Item& one : this->listed_)
@@ -181,7 +222,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   auto culprit() { return Items::culprit(step_, clock_.time()); }
 
   void drift() {
-    detail::drift(this->nodes_, step_.dt, execution_);
+    drift_nodes();
     cycle_.drift(this->nodes_, step_.dt, execution_);
     if (goal_ && step_.dt >= *goal_ - clock_.time())
       clock_.set(*goal_);
@@ -207,6 +248,12 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
       }
       if (mine.dt < stable_.dt) stable_ = mine;
     }
+    if constexpr (Items::has_ranks)
+      if (!this->share_.is_whole()) {
+        this->know_all(false);
+        this->share_.exchange_named(this->nodes_.ranks(), this->nodes_.force());
+        if constexpr (Nodes::nodes_turn) this->share_.exchange_named(this->nodes_.ranks(), this->nodes_.moment());
+      }
     this->remove_deleted();
   }
   /// The step that items leave of that of the elements.

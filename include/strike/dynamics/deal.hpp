@@ -52,6 +52,8 @@ class Deal {
   /// Those of a process.
   std::size_t first_of(std::size_t rank) const { return rank > 0 ? patches_[rank - 1] : 0; }
   std::size_t last_of(std::size_t rank) const { return patches_[rank]; }
+  /// Number of nodes that patches of ranks up to one are the first to name.
+  std::size_t nodes_up_to(std::size_t rank) const { return nodes_[rank]; }
 
   /// Gives all processes a list patch by patch, ...
   template <class Ranks, class T>

@@ -111,6 +111,7 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
   template <class Archive>
   void serialize(Archive& archive) {
+    this->know_all_nodes();
     archive(this->nodes_, bound_, this->damping_, this->ledger_, this->energy_, this->step_, this->stable_,
             this->bounded_, this->smallest_step_, this->reached_, this->clock_, this->cycle_);
     if constexpr ((detail::is_chosen_late<Items> || ...)) archive.same(this->chosen_late());
@@ -129,6 +130,10 @@ class Explicit : public detail::RunningScene<Method, Items...> {
     if (this->cycle_.begin(this->items_, this->nodes_)) compute_forces();
     this->apply_loads();
     this->keep_own();
+    if constexpr (RunningScene::has_ranks && std::is_same_v<typename Method::Bound, ElementStep> &&
+                  std::is_same_v<typename Method::Damping, NoDamping> &&
+                  std::is_same_v<typename Method::Cycle, NoSubcycling>)
+      this->share_nodes();
   }
 
   void compute_forces() {

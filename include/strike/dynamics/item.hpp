@@ -36,7 +36,10 @@ namespace strike {
 //  8. serialize(archive)                     its memory, for a Checkpoint; see strike/output/archive.hpp
 //  9. overlaps() -> std::vector<Overlap>      what pushed_apart moves before a run, known after begin; see
 //                                            strike/contact/overlap.hpp
-// 10. LoadHistory                             the type of what it calls as history(time) for a number, if it does
+// 10. nodes_named() -> std::vector<Index>    the numbers of all nodes that its functions 2 to 5 read or change, known
+//                                            after begin: where processes share the nodes, all have these; without it
+//                                            all have all
+// 11. LoadHistory                             the type of what it calls as history(time) for a number, if it does
 //
 // Laws. Work that enters or leaves the nodes is booked, by the ledger or by power. The result does not depend on how
 // nodes lie in memory: an item names them by their numbers. An item that changes no velocity and no force changes no

@@ -2,10 +2,12 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <strike/dynamics/faces_of_part.hpp>
 #include <strike/dynamics/item.hpp>
+#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/not_finite.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/plate_stretch.hpp>
@@ -37,6 +39,10 @@ struct ItemFunctions {
   void (*remove)(void*, std::size_t, const std::vector<bool>&) = nullptr;
   std::string (*warning)(const void*) = nullptr;
 
+  // Of an item that acts on nodes in a step: those that it names; null: it may name any.
+  bool acts = false;
+  std::vector<Index> (*nodes_named)(const void*) = nullptr;
+
   // Of a RigidBody.
   void (*add_body)(void*, Nodes&) = nullptr;
   void (*start_body)(void*, Nodes&) = nullptr;
@@ -55,6 +61,12 @@ struct ItemFunctions {
   std::string (*describe)(const void*, const Nodes&, std::size_t) = nullptr;
   std::string (*stretch_warning)(const void*, const Nodes&) = nullptr;
   void (*add_damping_warning)(const void*, const Damping&, std::vector<std::string>&) = nullptr;
+
+  // Of one on several processes.
+  const Deal& (*deal)(const void*) = nullptr;
+  bool (*can_share_nodes)(const void*) = nullptr;
+  void (*add_needs)(const void*, NodeShare&) = nullptr;
+  void (*share_nodes)(void*, const NodeShare&) = nullptr;
 
   // Sentences of TriedNodes on an item, some with its place in the scene.
   std::string (*fault_of_elements)(const void*, const TriedNodes<Nodes>&) = nullptr;
@@ -87,6 +99,12 @@ struct FunctionsOf {
     item::Remove::call(at(item), part, alive);
   }
   static std::string warning(const void* item) { return at(item).warning(); }
+
+  static std::vector<Index> nodes_named(const void* item) { return at(item).nodes_named(); }
+  static const Deal& deal(const void* item) { return at(item).deal(); }
+  static bool can_share_nodes(const void* item) { return at(item).can_share_nodes(); }
+  static void add_needs(const void* item, NodeShare& share) { at(item).add_needs(share); }
+  static void share_nodes(void* item, const NodeShare& share) { at(item).share_nodes(share); }
 
   static void add_body(void* item, Nodes& nodes) { at(item).add_body(nodes); }
   static void start_body(void* item, Nodes& nodes) { at(item).start_body(nodes); }
@@ -139,6 +157,10 @@ struct FunctionsOf {
       all.stored_energy = &stored_energy, all.wave_speed = &wave_speed, all.faces = &faces;
       all.describe = &describe, all.stretch_warning = &stretch_warning;
       all.add_damping_warning = &add_damping_warning, all.fault_of_elements = &fault_of_elements;
+      if constexpr (!std::is_same_v<typename Nodes::Ranks, Alone>) {
+        all.deal = &deal, all.can_share_nodes = &can_share_nodes;
+        all.add_needs = &add_needs, all.share_nodes = &share_nodes;
+      }
     } else {
       if constexpr (answers<item::Begin, Item, Nodes, const std::span<const PartFaces>>) all.begin = &begin;
       all.takes_parts = item::Begin::takes_parts<Item, Nodes>;
@@ -157,6 +179,8 @@ struct FunctionsOf {
         all.add_body = &add_body, all.start_body = &start_body, all.move_body = &move_body;
         all.add_faces = &add_faces;
       }
+      all.acts = all.stable_step || all.apply_loads || all.constrain || all.resolve_contact || all.move_body;
+      if constexpr (requires(const Item& item) { item.nodes_named(); }) all.nodes_named = &nodes_named;
     }
     return all;
   }

@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include <strike/ascending.hpp>
 #include <strike/dynamics/item_at_work.hpp>
+#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/not_finite.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/error.hpp>
@@ -37,15 +40,24 @@ class ItemsAtWork {
   using Numbers = typename Method::Numbers;
   using Nodes = NodesOfRun;
 
-  Eigen::Vector3d momentum() const { return detail::momentum(nodes_); }
+  Eigen::Vector3d momentum() const { return detail::momentum(nodes()); }
 
-  const Nodes& nodes() const { return nodes_; }
-  Nodes& nodes() { return nodes_; }
+  /// Of several processes all ask for them together, and anew after a step.
+  const Nodes& nodes() const {
+    know_all_nodes();
+    return nodes_;
+  }
+  Nodes& nodes() {
+    know_all_nodes();
+    return nodes_;
+  }
   /// By the numbers of the nodes as given.
   std::vector<Eigen::Vector3d> positions() const {
+    know_all_nodes();
     return of_nodes([&](std::size_t i) { return nodes_.x(i); });
   }
   std::vector<Eigen::Vector3d> velocities() const {
+    know_all_nodes();
     return of_nodes([&](std::size_t i) { return nodes_.v(i); });
   }
 
@@ -147,7 +159,52 @@ class ItemsAtWork {
         return one.can->describe(one.item, nodes_, stable.element);
     return {};
   }
-  auto culprit(const Step& step, double time) { return Culprit(nodes_, listed_, step, time); }
+  auto culprit(const Step& step, double time) {
+    know_all_nodes();
+    return Culprit(nodes_, listed_, step, time);
+  }
+
+  static constexpr bool has_ranks = !std::is_same_v<typename Nodes::Ranks, Alone>;
+  /// The processes share the nodes too, if every part can and every item that acts names its own.
+  void share_nodes() {
+    const auto& ranks = nodes_.ranks();
+    if (ranks.size() == 1) return;
+    std::vector<Index> named;
+    std::vector<std::size_t> first_named(ranks.size());
+    for (const Item& one : listed_) {
+      if (one.can->is_part) {
+        if (!one.can->can_share_nodes(one.item)) return;
+        for (std::size_t r = 0; r < ranks.size(); ++r) first_named[r] += one.can->deal(one.item).nodes_up_to(r);
+      } else if (one.can->acts) {
+        if (!one.can->nodes_named) return;
+        for (const Index i : one.can->nodes_named(one.item)) named.push_back(nodes_.place(i));
+      }
+    }
+    named = ascending(std::move(named));
+    if (2 * named.size() > nodes_.size()) return;
+    share_ = NodeShare(nodes_.size(), first_named, std::move(named), ranks.rank());
+    for (const Item& one : listed_)
+      if (one.can->is_part) one.can->add_needs(one.item, share_);
+    share_.finish();
+    for (const Item& one : listed_)
+      if (one.can->is_part) one.can->share_nodes(one.item, share_);
+    nodes_.set_known(share_.known());
+  }
+  void know_all(bool known) const {
+    knows_all_ = known;
+    const_cast<Nodes&>(nodes_).know_all(known);
+  }
+  /// Brings the nodes of other processes.
+  void know_all_nodes() const {
+    if constexpr (has_ranks) {
+      if (share_.is_whole() || knows_all_) return;
+      Nodes& nodes = const_cast<Nodes&>(nodes_);
+      const auto bring = [&](auto& field) { share_.exchange(nodes.ranks(), field); };
+      bring(nodes.position()), bring(nodes.velocity()), bring(nodes.force());
+      if constexpr (Nodes::nodes_turn) bring(nodes.angular_velocity()), bring(nodes.moment());
+      know_all(true);
+    }
+  }
 
   template <class F>
   std::vector<Eigen::Vector3d> of_nodes(const F& f) const {
@@ -158,6 +215,9 @@ class ItemsAtWork {
 
   Nodes nodes_;
   std::vector<Item> listed_;
+  struct Nothing {};
+  [[no_unique_address]] std::conditional_t<has_ranks, NodeShare, Nothing> share_;
+  mutable bool knows_all_ = true;  // of nodes that other processes have moved
 
  private:
   std::vector<std::string> stretch_warnings() const {

@@ -59,7 +59,8 @@ class Patches {
     for (Index g = 0; g < sources_.size(); ++g) by_source_[ghosts_before[sources_[g]]++] = g;
   }
 
-  /// Of each ghost, the place of its node.
+  /// Of each ghost, the place of its node; of all, in their order, or of one at its place.
+  Index source(Index ghost) const { return sources_[ghost - first_ghost_]; }
   const std::vector<Index>& sources() const { return sources_; }
   std::size_t size() const { return patches_.size(); }
   const Patch& operator[](std::size_t p) const { return patches_[p]; }
@@ -99,12 +100,20 @@ class Patches {
         if constexpr (N::nodes_turn) nodes.moment()[i] = Sum(nodes.motion().moment[i]);
       }
   }
-  /// Adds the forces (and moments) on the ghosts to those on the nodes, patch after patch.
+  /// Number of nodes that have ghosts; of these, those at places before one.
+  std::size_t shared() const { return groups_.size() - 1; }
+  std::size_t shared_before(std::size_t place) const {
+    const auto is_before = [&](Index group, std::size_t at) { return sources_[by_source_[group]] < at; };
+    return static_cast<std::size_t>(std::lower_bound(groups_.begin(), groups_.end() - 1, place, is_before) -
+                                    groups_.begin());
+  }
+  /// Adds the forces (and moments) on the ghosts to those on the nodes, patch after patch; of those that have ghosts
+  /// the `begin`th to the one before the `end`th.
   template <class N, class Execution>
-  void store_ghosts(N& nodes, const Execution& execution) const {
+  void store_ghosts(N& nodes, const Execution& execution, std::size_t begin, std::size_t end) const {
     using Sum = std::decay_t<decltype(nodes.force()[0])>;
-    for_each_chunk(execution, groups_.size() - 1, [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k)
+    for_each_chunk(execution, end - begin, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t k = begin + first; k < begin + last; ++k)
         for (Index i = groups_[k]; i < groups_[k + 1]; ++i) {
           const Index node = sources_[by_source_[i]], ghost = first_ghost_ + by_source_[i];
           nodes.force()[node] += Sum(nodes.motion().force[ghost]);

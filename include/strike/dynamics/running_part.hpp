@@ -18,6 +18,7 @@
 #include <strike/dynamics/elements.hpp>
 #include <strike/dynamics/mass_scaling.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
+#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/patches.hpp>
@@ -58,6 +59,7 @@ class RunningPart {
         ranks_(nodes.ranks()) {
     detail::check_material(elements_.material, number);
     lay_out(part.cells, nodes);
+    shared_ = {0, patches_.shared()};
     deal_ = can_be_dealt && place ? detail::Deal(patches_, size(), width, *place, ranks_) : detail::Deal(patches_);
     if constexpr (sees_neighbours) cloud_ = detail::Cloud<T>(elements_, part.cells.volumes);
     outcomes_.resize(patches_.size());
@@ -99,7 +101,7 @@ class RunningPart {
         patches_.store(patches_[p], nodes);
       });
     exchange(nodes);
-    patches_.store_ghosts(nodes, execution);
+    patches_.store_ghosts(nodes, execution, shared_.first, shared_.last);
     return book(nodes, ledger);
   }
 
@@ -209,6 +211,27 @@ class RunningPart {
   /// The processes of the run, and the patches that each works on.
   const Ranks& ranks() const { return ranks_; }
   const detail::Deal& deal() const { return deal_; }
+  /// Its nodes may be shared: elements do not see more of them than their own, and none of them ends.
+  bool can_share_nodes() const { return deal_.is_dealt() && !averages_volume && !erodes; }
+  /// Tells what the elements of each process need, ...
+  void add_needs(detail::NodeShare& share) const {
+    each_named([&](std::size_t rank, Index place, Index) { share.need(rank, place); });
+  }
+  /// ... and finds to whom the forces on nodes are due.
+  void share_nodes(const detail::NodeShare& share) {
+    for (detail::PlaceLists* lists : {&due_, &due_ghosts_})
+      lists->to.assign(ranks_.size(), {}), lists->from.assign(ranks_.size(), {});
+    each_named([&](std::size_t rank, Index place, Index at) {
+      const std::size_t owner = share.owner(place);
+      if (owner == rank) return;
+      detail::PlaceLists& lists = at == place ? due_ : due_ghosts_;
+      if (rank == ranks_.rank()) lists.to[owner].push_back(at);
+      if (owner == ranks_.rank()) lists.from[rank].push_back(at);
+    });
+    const auto [first, last] = share.own();
+    shared_ = {patches_.shared_before(first), patches_.shared_before(last)};
+    is_shared_ = true;
+  }
   /// Leaves the states of the elements of other processes to them.
   void keep_own() {
     if (!deal_.is_dealt()) return;
@@ -337,18 +360,36 @@ class RunningPart {
     patches_.load(patches_[p], nodes);
     detail::add_volumes(elements_, patches_[p], nodes.motion(), volume_);
   }
-  /// Gives all processes the forces of the patches of each, and the outcomes.
+  /// Gives all processes the outcomes of the patches of each, and the forces, or these to those that own the nodes.
   void exchange(Nodes& nodes) {
     if (!deal_.is_dealt()) return;
+    deal_.exchange_patches(ranks_, outcomes_);
+    auto& motion = nodes.motion();
+    if (is_shared_) {
+      if constexpr (Nodes::nodes_turn)
+        ranks_.trade(due_, nodes.force(), due_ghosts_, motion.force, due_, nodes.moment(), due_ghosts_, motion.moment);
+      else
+        ranks_.trade(due_, nodes.force(), due_ghosts_, motion.force);
+      return;
+    }
     deal_.exchange_nodes(ranks_, nodes.force());
     deal_.exchange_ghosts(ranks_, nodes.motion().force);
     if constexpr (Nodes::nodes_turn) {
       deal_.exchange_nodes(ranks_, nodes.moment());
       deal_.exchange_ghosts(ranks_, nodes.motion().moment);
     }
-    deal_.exchange_patches(ranks_, outcomes_);
   }
 
+  /// f(rank, the place of a node, that of the node or ghost where its elements add forces) for the patches of each.
+  template <class F>
+  void each_named(const F& f) const {
+    for (std::size_t r = 0; r < ranks_.size(); ++r)
+      for (std::size_t p = deal_.first_of(r); p < deal_.last_of(r); ++p) {
+        const detail::Patch& patch = patches_[p];
+        for (Index i = patch.first_node; i < patch.last_node; ++i) f(r, i, i);
+        for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) f(r, patches_.source(g), g);
+      }
+  }
   /// The places of the elements whose blocks are kept.
   std::size_t first_place() const { return blocks().first() * width; }
   std::size_t last_place() const { return std::min(blocks().last() * width, size()); }
@@ -403,6 +444,9 @@ class RunningPart {
   Elements elements_;
   [[no_unique_address]] Ranks ranks_;
   detail::Deal deal_;
+  bool is_shared_ = false;
+  detail::PlaceLists due_, due_ghosts_;  // forces, from other processes and to them
+  detail::Places shared_{};              // of the nodes with ghosts, those that are own
   double mass_ = 0;
   detail::Patches patches_;
   std::vector<detail::Outcome> outcomes_;

@@ -110,6 +110,8 @@ class AirBlast {
   }
   double stable_step(double dt) const { return time_ < passed_ ? std::min(dt, step_) : dt; }
 
+  std::vector<Index> nodes_named() const { return faces_.nodes_named(); }
+
   template <class N>
   void apply_loads(N& nodes, double time) {
     time_ = time;

@@ -20,6 +20,7 @@ class LoadedFaces {
   explicit LoadedFaces(std::vector<Face> faces) : faces_(std::move(faces)) {}
 
   std::size_t size() const { return faces_.size(); }
+  std::vector<Index> nodes_named() const { return surface_nodes(faces_); }
   const Face& operator[](std::size_t i) const { return faces_[i]; }
 
   /// Error: no such node.

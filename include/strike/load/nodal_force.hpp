@@ -26,6 +26,8 @@ class NodalForce {
   void begin(const N& nodes) const {
     for (const Index i : nodes_) nodes.check_number(i);
   }
+  const std::vector<Index>& nodes_named() const { return nodes_; }
+
   template <class N>
   void apply_loads(N& nodes, double time) {
     now_ = history_(time) * force_;

@@ -54,6 +54,8 @@ class PrescribedMotion {
     for (const Index i : nodes_) nodes.hold(i, direction_, Held::moved);
   }
 
+  const std::vector<Index>& nodes_named() const { return nodes_; }
+
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) {
     const double velocity = Kind::velocity(history_, step);

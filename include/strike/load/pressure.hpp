@@ -25,6 +25,8 @@ class Pressure {
   void begin(const N& nodes, std::span<const PartFaces> parts = {}) {
     faces_.begin(nodes, parts);
   }
+  std::vector<Index> nodes_named() const { return faces_.nodes_named(); }
+
   template <class N>
   void apply_loads(N& nodes, double time) {
     faces_.apply(nodes, [p = double(history_(time))](std::size_t, const typename N::Vector&) { return p; });

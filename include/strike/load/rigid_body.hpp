@@ -85,6 +85,8 @@ class RigidBody {
     requires(!(std::is_arithmetic_v<Guides> || ...))
       : RigidBody(mesh, whole, 0.0, std::move(guides)...) {}
 
+  const std::vector<Index>& nodes_named() const { return nodes_; }
+
   /// The same body with more nodes, by which it carries what hangs on them. Their masses from elements are its own too.
   RigidBody with_nodes(std::vector<Index> more) const {
     RigidBody other = *this;

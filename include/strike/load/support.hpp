@@ -31,6 +31,8 @@ class Support {
     }
   }
 
+  const std::vector<Index>& nodes_named() const { return nodes_; }
+
   template <class N, class Ledger>
   void constrain(N& nodes, const Step& step, Ledger& ledger) const {
     using namespace detail;

@@ -12,42 +12,49 @@
 
 namespace strike::detail {
 
-/// v += kick f/m, and of nodes that turn w += kick moment/inertia. Returns the kinetic energy sum of m v-.v+/2, without
-/// the impulses of constraints that follow. `sums` has a number for each chunk of nodes.
-template <class N, class Execution>
-double kick(N& nodes, double duration, const Execution& execution, std::vector<double>& sums) {
+/// v += kick f/m of the nodes at the places [first, last), and if they turn w += kick moment/inertia. Returns twice
+/// their kinetic energy, the sum of m v-.v+, without the impulses of constraints that follow.
+template <class N>
+double kick(N& nodes, double duration, std::size_t first, std::size_t last) {
   using Real = std::decay_t<decltype(nodes.position()[0])>;
   const auto kick = static_cast<RealOf<Real>>(duration);
   using Sum = Padded<double>;
-  for_each_chunk(execution, nodes.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
-    Sum kinetic = 0;
-    const auto kicked = [&](auto m, const Real& v, const Real& f) {
-      const Real after = v + Real(kick / m) * f;
-      kinetic += Sum(Real(m) * v * after);
-      return after;
-    };
-    for (std::size_t i = first; i < last; ++i) {
-      auto& v = nodes.velocity()[i];
-      v = kicked(nodes.mass()[i], v, nodes.force()[i]);
-      if constexpr (N::nodes_turn) {
-        auto& w = nodes.angular_velocity()[i];
-        w = kicked(nodes.inertia()[i], w, nodes.moment()[i]);
-      }
+  Sum kinetic = 0;
+  const auto kicked = [&](auto m, const Real& v, const Real& f) {
+    const Real after = v + Real(kick / m) * f;
+    kinetic += Sum(Real(m) * v * after);
+    return after;
+  };
+  for (std::size_t i = first; i < last; ++i) {
+    auto& v = nodes.velocity()[i];
+    v = kicked(nodes.mass()[i], v, nodes.force()[i]);
+    if constexpr (N::nodes_turn) {
+      auto& w = nodes.angular_velocity()[i];
+      w = kicked(nodes.inertia()[i], w, nodes.moment()[i]);
     }
-    sums[k] = kinetic[0] + kinetic[1] + kinetic[2];
+  }
+  return kinetic[0] + kinetic[1] + kinetic[2];
+}
+/// The same of all nodes; the kinetic energy. `sums` has a number for each chunk of nodes.
+template <class N, class Execution>
+double kick(N& nodes, double duration, const Execution& execution, std::vector<double>& sums) {
+  for_each_chunk(execution, nodes.size(), [&](std::size_t k, std::size_t first, std::size_t last) {
+    sums[k] = kick(nodes, duration, first, last);
   });
   return 0.5 * std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// x += dt v; the nodes of rigid bodies, which have moved already, go to their places, and have the velocities that
-/// brought them there.
-template <class N, class Execution>
-void drift(N& nodes, double step, const Execution& execution) {
+/// x += dt v of the nodes at the places [first, last).
+template <class N>
+void drift(N& nodes, double step, std::size_t first, std::size_t last) {
   using Real = std::decay_t<decltype(nodes.position()[0])>;
   const auto dt = static_cast<RealOf<Real>>(step);
-  for_each_chunk(execution, nodes.size(), [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) nodes.position()[i] += Real(dt) * nodes.velocity()[i];
-  });
+  for (std::size_t i = first; i < last; ++i) nodes.position()[i] += Real(dt) * nodes.velocity()[i];
+}
+/// The nodes of rigid bodies, which have moved already, go to their places and have the velocities that brought them
+/// there.
+template <class N>
+void place_bodies(N& nodes) {
   using Number = typename N::Number;
   for (const RigidMotion& body : nodes.bodies())
     for (std::size_t k = 0; k < body.nodes().size(); ++k) {
@@ -55,6 +62,14 @@ void drift(N& nodes, double step, const Execution& execution) {
       nodes.set_velocity(body.nodes()[k], body.way_per_time(k).template cast<Number>());
       if constexpr (N::nodes_turn) nodes.set_angular_velocity(body.nodes()[k], body.mean_angular_velocity());
     }
+}
+
+/// x += dt v; the nodes of rigid bodies go to their places.
+template <class N, class Execution>
+void drift(N& nodes, double step, const Execution& execution) {
+  for_each_chunk(execution, nodes.size(),
+                 [&](std::size_t, std::size_t first, std::size_t last) { drift(nodes, step, first, last); });
+  place_bodies(nodes);
 }
 
 /// Gives the nodes of a rigid body the velocities of the body where they are.

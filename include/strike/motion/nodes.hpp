@@ -54,12 +54,12 @@ class Nodes {
   const Ranks& ranks() const { return ranks_; }
 
   // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
-  const Vector x(std::size_t i) const { return vector_of(own_.position[place_[i]]); }
-  const Vector v(std::size_t i) const { return vector_of(own_.velocity[place_[i]]); }
-  const Vector f(std::size_t i) const { return vector_of(own_.force[place_[i]]); }
+  const Vector x(std::size_t i) const { return vector_of(own_.position[known_place(i)]); }
+  const Vector v(std::size_t i) const { return vector_of(own_.velocity[known_place(i)]); }
+  const Vector f(std::size_t i) const { return vector_of(own_.force[known_place(i)]); }
   double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
-  const Vector w(std::size_t i) const { return vector_of(own_.angular_velocity[place_[i]]); }
-  const Vector moment(std::size_t i) const { return vector_of(own_.moment[place_[i]]); }
+  const Vector w(std::size_t i) const { return vector_of(own_.angular_velocity[known_place(i)]); }
+  const Vector moment(std::size_t i) const { return vector_of(own_.moment[known_place(i)]); }
   double inertia(std::size_t i) const { return static_cast<double>(inertia_[place_[i]]); }
 
   // Error: there is no node of this number.
@@ -70,6 +70,11 @@ class Nodes {
   void set_angular_velocity(std::size_t i, const Vector& w) { own_.angular_velocity[checked_place(i)] = padded(w); }
   void add_moment(std::size_t i, const Vector& change) { add(own_.moment[checked_place(i)], change); }
   void add_inertia(std::size_t i, double I) { inertia_[checked_place(i)] += static_cast<Plain>(I); }
+
+  /// Of several processes that share the nodes: where it knows what moves, place by place, and whether it knows all
+  /// now.
+  void set_known(std::vector<char> known) { known_ = std::move(known); }
+  void know_all(bool all) { knows_all_ = all; }
 
   /// Error: there is no node of this number.
   void check_number(std::size_t i) const {
@@ -190,6 +195,19 @@ class Nodes {
  private:
   struct None {};
 
+  /// Error: another process has moved the node.
+  Index known_place(std::size_t i) const {
+    const Index place = place_[i];
+    if constexpr (!std::is_same_v<Ranks, Alone>)
+      if (!knows_all_ && !known_[place]) refuse_unknown(i);
+    return place;
+  }
+  [[noreturn, gnu::cold, gnu::noinline]] static void refuse_unknown(std::size_t i) {
+    throw Error(detail::joined({"strike: node ", std::to_string(i),
+                                " is on another process; ask run.nodes() for it anew in each step, in all processes "
+                                "together, and give an item that acts on it nodes_named()."}));
+  }
+
   [[noreturn, gnu::cold, gnu::noinline]] void refuse(std::size_t i) const {
     throw Error(detail::joined({"strike: a condition names node ", std::to_string(i), ", but there are ",
                                 std::to_string(size()), " nodes; count them from 0."}));
@@ -212,6 +230,8 @@ class Nodes {
   std::vector<Plain> mass_, inertia_;
   std::vector<Index> number_, place_;
   [[no_unique_address]] Ranks ranks_;
+  std::vector<char> known_;
+  bool knows_all_ = true;
   detail::HeldDirections held_, held_turns_;
   static constexpr Index no_body = std::numeric_limits<Index>::max();
   std::vector<Index> body_of_;  // node by node, if there are bodies

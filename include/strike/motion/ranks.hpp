@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <strike/cxx20.hpp>
+#include <strike/mesh/mesh.hpp>
 
 namespace strike {
 
@@ -17,7 +17,17 @@ namespace strike {
 //  1. rank(), size()          the number of this process, from 0, and how many there are
 //  2. exchange(list, ends)    gives each process what all have in their ranges of a list that all of them hold: that of
 //                             rank r ends at ends[r] and begins where that of the rank before ends
-// Law. All processes call it in the same order.
+//  3. trade(lists, field, ...) sends the numbers at places of fields to some processes, and takes others from them
+// Law. All processes call them in the same order.
+
+namespace detail {
+
+/// Places of a field by process: whose numbers are sent to each, and come from it.
+struct PlaceLists {
+  std::vector<std::vector<Index>> to, from;
+};
+
+}  // namespace detail
 
 /// A process alone, the default.
 struct Alone {
@@ -25,6 +35,7 @@ struct Alone {
   static constexpr std::size_t size() { return 1; }
   template <class T>
   static void exchange(std::span<T>, std::span<const std::size_t>) {}
+  static void trade(const auto&...) {}
 };
 
 namespace detail {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <string>
@@ -52,8 +53,45 @@ class MpiRanks {
     MPI_Allgatherv(MPI_IN_PLACE, 0, type, list.data(), counts.data(), begins.data(), type, communicator_);
     MPI_Type_free(&type);
   }
+  /// Of pairs of lists and fields.
+  template <class... ListsAndFields>
+  void trade(ListsAndFields&&... all) const {
+    if (size_ == 1) return;
+    std::vector<std::string> sent(size_), got(size_);
+    std::vector<MPI_Request> requests;
+    const auto expect = [&]<class T>(const PlaceLists& lists, const std::vector<T>& field) {
+      for (std::size_t r = 0; r < size_; ++r) {
+        got[r].resize(got[r].size() + lists.from[r].size() * sizeof(T));
+        for (const Index place : lists.to[r]) sent[r].append(reinterpret_cast<const char*>(&field[place]), sizeof(T));
+      }
+    };
+    each_pair(expect, all...);
+    const auto begin = [&](auto start, std::string& bytes, std::size_t r) {
+      if (bytes.empty()) return;
+      start(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, static_cast<int>(r), 0, communicator_,
+            &requests.emplace_back());
+    };
+    for (std::size_t r = 0; r < size_; ++r) begin(&MPI_Irecv, got[r], r);
+    for (std::size_t r = 0; r < size_; ++r) begin(&MPI_Isend, sent[r], r);
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    std::vector<std::size_t> taken(size_);
+    const auto take = [&]<class T>(const PlaceLists& lists, std::vector<T>& field) {
+      for (std::size_t r = 0; r < size_; ++r)
+        for (const Index place : lists.from[r]) {
+          std::memcpy(static_cast<void*>(&field[place]), &got[r][taken[r]], sizeof(T));
+          taken[r] += sizeof(T);
+        }
+    };
+    each_pair(take, all...);
+  }
 
  private:
+  template <class F, class Lists, class Field, class... More>
+  static void each_pair(const F& f, const Lists& lists, Field& field, More&... more) {
+    f(lists, field);
+    if constexpr (sizeof...(more) > 0) each_pair(f, more...);
+  }
+
   MPI_Comm communicator_ = MPI_COMM_SELF;
   std::size_t rank_ = 0, size_ = 1;
 };
