@@ -221,7 +221,7 @@ class Nodes {
   }
   Index checked_place(std::size_t i) const {
     check_number(i);
-    return place_[i];
+    return known_place(i);
   }
   static void add(Padded<Real>& sum, const Vector& change) { sum = padded(vector_of(sum) + change); }
 
