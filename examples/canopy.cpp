@@ -3,6 +3,7 @@
 //
 //   bash examples/run canopy
 //   bash examples/run canopy bird=high
+//   bash examples/run canopy ranks=2
 //   bash examples/run canopy bird=particles across=12
 //   bash examples/run canopy bird=particles strength=high
 //   bash examples/run canopy speed=400 end=10
@@ -15,6 +16,7 @@
 
 #include "support/bird_strike.hpp"
 #include "support/options.hpp"
+#include "support/processes.hpp"
 
 using namespace strike;
 
@@ -78,7 +80,8 @@ void report(const examples::Transparency& canopy, const examples::Flight& flight
 }  // namespace
 
 int main(int count, char** arguments) {
-  return examples::run(count, arguments, [](examples::Options& options) {
+  return examples::run(count, arguments, [&](examples::Options& options) {
+    const examples::Session session(count, arguments);
     const std::string bird = options.choice("bird", {"low", "high", "particles"}),
                       strength = options.choice("strength", {"none", "low", "high"});
     const double speed = options.number("speed", 350), end = options.number("end", 20);

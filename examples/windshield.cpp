@@ -4,6 +4,7 @@
 //
 //   bash examples/run windshield
 //   bash examples/run windshield bird=high
+//   bash examples/run windshield ranks=2
 //   bash examples/run windshield bird=particles across=12
 //   bash examples/run windshield speed=350 end=10
 #include <cmath>
@@ -17,6 +18,7 @@
 
 #include "support/bird_strike.hpp"
 #include "support/options.hpp"
+#include "support/processes.hpp"
 
 using namespace strike;
 
@@ -104,7 +106,8 @@ void report(const std::vector<std::pair<std::string, examples::Flight>>& flights
 }  // namespace
 
 int main(int count, char** arguments) {
-  return examples::run(count, arguments, [](examples::Options& options) {
+  return examples::run(count, arguments, [&](examples::Options& options) {
+    const examples::Session session(count, arguments);
     const std::string bird = options.choice("bird", {"low", "high", "particles"});
     const double speed = options.number("speed", 400), end = options.number("end", 20);
     const unsigned across = options.count("across", 8);

@@ -17,6 +17,7 @@
 #include <strike/strike.hpp>
 
 #include "options.hpp"
+#include "processes.hpp"
 
 // A bird that strikes a transparency, for the examples canopy and windshield. Inches, seconds, pounds of force;
 // so psi and in-lbf.
@@ -176,7 +177,8 @@ Flight strike_at(const Transparency& target, const Section& section, const strik
   Explicit run{Scene{mesh.nodes,                                    //
                      Part{Plate4{}, section, mesh.quadrilaterals},  //
                      part_of(mesh), InitialVelocity{{speed, 0, 0}, both.bird}, Clamped{target.edge},
-                     Contact{NodeToSurface{both.bird, plate_surface(mesh.quadrilaterals, h, 0), both.spacing}}}};
+                     Contact{NodeToSurface{both.bird, plate_surface(mesh.quadrilaterals, h, 0), both.spacing}}},
+               Processes{}};
   const auto& panel = run.template part<0>();
   const auto& bird = run.template item<1>();
   const auto& contact = run.template item<4>();
