@@ -99,6 +99,30 @@ TEST_CASE("processes share the nodes where every item names its own") {
   testing::runs_alike(loaded, 40, in<Pack<float>, double>);
 }
 
+TEST_CASE("more processes than patches, derivatives, and a copy of a run") {
+  const Mesh pair = box({.size = {1, 1, 2}, .cells = {1, 1, 2}});
+  using D = Dual<Pack<double, 4>, 1>;
+  const auto scene = [&] {
+    return Scene{pair.nodes, Part{Hex8{}, copper, pair.hexahedra, Erosion{.strain = .02}},
+                 Part{Plate4{}, Layered{Layer{PlaneStress{copper}, .05}, Layer{PlaneStress{copper}, .1}},
+                      Cells<4>{{0, 1, 3, 2}}},
+                 Support{{0, 1, 2, 3}, {unit(Axis::z)}}, InitialVelocity{{0, 0, -100}, upper_half(pair, 1.5)}};
+  };
+  const auto [run, alone] = testing::runs_alike(scene, 60);
+  CHECK(run.template part<0>().deleted() > 0);
+  const auto stress = [](const auto& state) { return state.stress.xx; };
+  CHECK(run.template part<1>().field(1, stress) == alone.template part<1>().field(1, stress));
+  CHECK_THROWS_WITH(run.template part<1>().field(2, stress), Catch::Matchers::ContainsSubstring("has no layer 2"));
+  auto copy = run, other = alone;
+  for (int n = 0; n < 10; ++n) copy.step(), other.step();
+  CHECK(testing::everywhere(copy.positions() == other.positions()));
+  const auto differentiated = [&] {
+    return Scene{pair.nodes, Part{Hex8{}, rubber, pair.hexahedra}, Support{{0, 1, 2, 3}, {unit(Axis::z)}},
+                 InitialVelocity{{0, 0, -1}, upper_half(pair, 1.5)}};
+  };
+  testing::runs_alike(differentiated, 10, in<D>);
+}
+
 TEST_CASE("cells of several kinds that share nodes, in mixed precision, with a step of the mesh as a whole") {
   const Mesh core = box({.size = {2, 2, 2}, .cells = {8, 8, 8}});
   Mesh mesh = core;
