@@ -18,6 +18,7 @@
 #include <strike/dynamics/mass_scaling.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
+#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/observer.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/part_checks.hpp>
