@@ -147,10 +147,10 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   void kick_shared() {
     auto& nodes = this->nodes_;
     this->know_all(false);
-    const auto [begin, end] = this->share_.own();
-    const std::size_t first_chunk = chunks(begin);
-    for_each_chunk(execution_, end - begin, [&](std::size_t k, std::size_t first, std::size_t last) {
-      kinetic_[first_chunk + k] = detail::kick(nodes, step_.kick(), begin + first, begin + last);
+    const Places own = this->share_.own();
+    const std::size_t first_chunk = chunks(own.first);
+    for_each_chunk(execution_, own.last - own.first, [&](std::size_t k, std::size_t first, std::size_t last) {
+      kinetic_[first_chunk + k] = detail::kick(nodes, step_.kick(), own.first + first, own.first + last);
     });
     for (const auto& [first, last] : this->share_.named_of_others()) detail::kick(nodes, step_.kick(), first, last);
     this->share_.exchange_chunks(nodes.ranks(), kinetic_);
@@ -169,9 +169,9 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
       nodes.ranks().trade(lent, nodes.velocity(), lent, nodes.angular_velocity());
     else
       nodes.ranks().trade(lent, nodes.velocity());
-    const auto [begin, end] = this->share_.own();
-    for_each_chunk(execution_, end - begin, [&](std::size_t, std::size_t first, std::size_t last) {
-      detail::drift(nodes, step_.dt, begin + first, begin + last);
+    const Places own = this->share_.own();
+    for_each_chunk(execution_, own.last - own.first, [&](std::size_t, std::size_t first, std::size_t last) {
+      detail::drift(nodes, step_.dt, own.first + first, own.first + last);
     });
     for (const auto& [first, last] : this->share_.others()) detail::drift(nodes, step_.dt, first, last);
     place_bodies(nodes);
