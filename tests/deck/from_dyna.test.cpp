@@ -159,6 +159,14 @@ TEST_CASE("deck: contacts are pairs of parts with their friction") {
     CHECK(has(scene_of(three_metals + ended + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,,0\n" + values).replaced,
               "Contact SINGLE_SURFACE: springs as stiff as the step allows, without damping, stand for"));
   CHECK(has(scene_of(three_metals + ended + "*CONTACT_TIED_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n").cannot, "TIED"));
+
+  // Fields that preprocessors fill in, of the search and of files, do not keep a deck from running.
+  const DeckScene filled = scene_of(three_metals + ended +
+                                    "*CONTROL_CONTACT\n0,1,,,,,1\n\n\n1\n*DATABASE_GLSTAT\n.1,1,0,1\n"
+                                    "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,,0\n\n1,,,,,,1,1\n0,,,,,,1\n");
+  CHECK(filled.cannot == std::vector<std::string>{});
+  for (const char* const field : {"RWPNAL of *CONTROL_CONTACT", "of *DATABASE_GLSTAT", "BSORT of *CONTACT"})
+    CHECK(has(filled.replaced, field));
 }
 
 TEST_CASE("deck: a rigid part is a body behind the parts, with those that move with it") {

@@ -89,12 +89,25 @@ class FromDyna {
 
   /// It concerns files that are written, or numbers of another solver.
   static bool is_harmless(std::string_view warning) {
-    constexpr std::array<std::string_view, 9> starts{"*DATABASE",  "*CONTROL",      "Nodes without",
-                                                     "*PARAMETER", "DA1 to DA4 of", "IBQ of",
-                                                     "VDC of",     "YM, of null",   "PR, of null"};
+    constexpr std::array<std::string_view, 13> starts{"*DATABASE",
+                                                      "*CONTROL",
+                                                      "Nodes without",
+                                                      "*PARAMETER",
+                                                      "DA1 to DA4 of",
+                                                      "IBQ of",
+                                                      "VDC of",
+                                                      "YM, of null",
+                                                      "PR, of null",
+                                                      "BSORT of *CONTACT",
+                                                      "FRCFRQ of *CONTACT",
+                                                      "MAXPAR of *CONTACT",
+                                                      "SBOPT of *CONTACT"};
+    constexpr std::array<std::string_view, 2> fields{" of *DATABASE", " of *CONTROL_CONTACT"};
     return !warning.starts_with("*CONTROL_EXPLOSIVE") &&
-           std::any_of(starts.begin(), starts.end(),
-                       [&](std::string_view start) { return warning.starts_with(start); });
+           (std::any_of(starts.begin(), starts.end(),
+                        [&](std::string_view start) { return warning.starts_with(start); }) ||
+            std::any_of(fields.begin(), fields.end(),
+                        [&](std::string_view field) { return warning.find(field) != warning.npos; }));
   }
 
   // Parts
