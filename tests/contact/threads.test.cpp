@@ -18,21 +18,37 @@
 
 using namespace strike;
 
-TEST_CASE("contact gives the same bits for any number of threads") {
-  const Mesh lower = box({.size = {1, 1, 0.3}, .cells = {9, 9, 3}});
-  Mesh mesh = lower;
-  append(mesh, rotated(box({.lower = {0.2, 0.1, 0.4}, .size = {0.5, 0.5, 0.5}, .cells = {6, 6, 6}}), {1, 0.2, 0}, 0.2));
+namespace {
+
+/// A body that falls on another and slides on it.
+struct Fall {
+  Mesh lower, mesh = lower;
   std::vector<Index> upper;
-  for (Index i = static_cast<Index>(lower.nodes.size()); i < mesh.nodes.size(); ++i) upper.push_back(i);
-  const Cells<8> of_upper(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(lower.hexahedra.size()),
-                          mesh.hexahedra.end());
-  const auto after = [&](auto execution) {
-    Explicit run{
+  Cells<8> of_upper;
+
+  Fall(const Mesh& below, const Mesh& above) : lower(below) {
+    for (Index i = append(mesh, above); i < mesh.nodes.size(); ++i) upper.push_back(i);
+    of_upper.assign(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(lower.hexahedra.size()), mesh.hexahedra.end());
+  }
+  template <class Execution>
+  auto run(const Execution& execution) const {
+    return Explicit{
         Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra},
               Contact{TwoWay{Surface{surface(Mesh{mesh.nodes, of_upper})}, Surface{surface(lower)}}, Coulomb{0.2}},
               InitialVelocity{{0, 5, -20}, upper}},
         {},
         execution};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("contact gives the same bits for any number of threads") {
+  const Fall fall(
+      box({.size = {1, 1, 0.3}, .cells = {9, 9, 3}}),
+      rotated(box({.lower = {0.2, 0.1, 0.4}, .size = {0.5, 0.5, 0.5}, .cells = {6, 6, 6}}), {1, 0.2, 0}, 0.2));
+  const auto after = [&](auto execution) {
+    auto run = fall.run(execution);
     for (int n = 0; n < 400; ++n) run.step();
     CHECK(run.template item<1>().impulse().z() > 10);
     return run.positions();
@@ -52,20 +68,9 @@ TEST_CASE("edges that cross give the same bits for any number of threads") {
     for (int k = 0; k < 6; ++k) append(bars, translated(rotated(bar, {1, 0, 0}, turned), {0, 0.15 * k - 0.371, z}));
     return rotated(bars, {0, 0, 1}, about);
   };
-  const Mesh lower = layer(0, 0);
-  Mesh mesh = lower;
-  std::vector<Index> upper;
-  for (Index i = append(mesh, layer(1.005 * std::numbers::sqrt2 * side, 1.4)); i < mesh.nodes.size(); ++i)
-    upper.push_back(i);
-  const Cells<8> of_upper(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(lower.hexahedra.size()),
-                          mesh.hexahedra.end());
+  const Fall fall(layer(0, 0), layer(1.005 * std::numbers::sqrt2 * side, 1.4));
   const auto after = [&](auto execution) {
-    Explicit run{
-        Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra},
-              Contact{TwoWay{Surface{surface(Mesh{mesh.nodes, of_upper})}, Surface{surface(lower)}}, Coulomb{0.2}},
-              InitialVelocity{{0, 5, -20}, upper}},
-        {},
-        execution};
+    auto run = fall.run(execution);
     std::size_t most = 0;
     for (int n = 0; n < 200; ++n) {
       run.step();
