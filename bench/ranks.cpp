@@ -1,4 +1,4 @@
-// What processes bring, beside threads: the step of hexahedra of copper with linear hardening as in step.bench, alone,
+// Processes beside threads: the step of hexahedra of copper with linear hardening as in step.bench, alone,
 // with as many threads as there are processes, by Mpi on one process and on all, in turns.
 //
 //   mpirun --bind-to none -n 2 build/bench/bench/ranks

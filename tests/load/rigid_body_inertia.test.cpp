@@ -214,7 +214,7 @@ const TotalInertia whole{{2, {0.1, 0, 0}, {0.3, 0.4, 0.5, 0, 0, 0}}};
 std::vector<Index> all_nodes(const Mesh& mesh) {
   return nodes_where(mesh.nodes, [](const Vector3d&) { return true; });
 }
-/// What nodes of a run have from elements.
+/// The inertia that nodes of a run have from elements.
 Inertia from_elements(const auto& run, const std::vector<Index>& nodes) {
   Inertia sum;
   for (const Index i : nodes) {
