@@ -146,7 +146,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   /// Each process its own nodes, and all those that items name.
   void kick_shared() {
     auto& nodes = this->nodes_;
-    this->know_all(false);
+    nodes.know_all(false);
     const Places own = this->share_.own();
     const std::size_t first_chunk = chunks(own.first);
     for_each_chunk(execution_, own.last - own.first, [&](std::size_t k, std::size_t first, std::size_t last) {
@@ -250,7 +250,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
     }
     if constexpr (Items::has_ranks)
       if (!this->share_.is_whole()) {
-        this->know_all(false);
+        this->nodes_.know_all(false);
         this->share_.exchange_named(this->nodes_.ranks(), this->nodes_.force());
         if constexpr (Nodes::nodes_turn) this->share_.exchange_named(this->nodes_.ranks(), this->nodes_.moment());
       }

@@ -58,12 +58,12 @@ class Deal {
   /// Gives all processes a list patch by patch, ...
   template <class Ranks, class T>
   void exchange_patches(const Ranks& ranks, std::vector<T>& list) const {
-    if (is_dealt()) ranks.exchange(std::span(list), std::span<const std::size_t>(patches_));
+    if (is_dealt()) ranks.exchange(std::span(list), ends(patches_));
   }
   /// ... one of the elements, place by place, ...
   template <class Ranks, class T>
   void exchange_elements(const Ranks& ranks, std::vector<T>& list) const {
-    if (is_dealt()) ranks.exchange(std::span(list), std::span<const std::size_t>(elements_));
+    if (is_dealt()) ranks.exchange(std::span(list), ends(elements_));
   }
   /// ... and a field at the nodes that patches of the part are the first to name, and at its ghosts.
   template <class Ranks, class T>

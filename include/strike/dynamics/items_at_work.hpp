@@ -190,19 +190,15 @@ class ItemsAtWork {
       if (one.can->is_part) one.can->share_nodes(one.item, share_);
     nodes_.set_known(share_.known());
   }
-  void know_all(bool known) const {
-    knows_all_ = known;
-    const_cast<Nodes&>(nodes_).know_all(known);
-  }
   /// Brings the nodes of other processes.
   void know_all_nodes() const {
     if constexpr (has_ranks) {
-      if (share_.is_whole() || knows_all_) return;
+      if (nodes_.knows_all()) return;
       Nodes& nodes = const_cast<Nodes&>(nodes_);
       const auto bring = [&](auto& field) { share_.exchange(nodes.ranks(), field); };
       bring(nodes.position()), bring(nodes.velocity()), bring(nodes.force());
       if constexpr (Nodes::nodes_turn) bring(nodes.angular_velocity()), bring(nodes.moment());
-      know_all(true);
+      nodes.know_all(true);
     }
   }
 
@@ -217,7 +213,6 @@ class ItemsAtWork {
   std::vector<Item> listed_;
   struct Nothing {};
   [[no_unique_address]] std::conditional_t<has_ranks, NodeShare, Nothing> share_;
-  mutable bool knows_all_ = true;  // of nodes that other processes have moved
 
  private:
   std::vector<std::string> stretch_warnings() const {

@@ -28,9 +28,9 @@ class NodeShare {
   bool is_whole() const { return ends_.empty(); }
 
   /// Of nodes at `size` places: those of rank r end about where the nodes end that patches of ranks up to r are the
-  /// first to name, in whole chunks. `named` are the places that items name.
+  /// first to name, in whole chunks. `named` are the places that items name, in ascending order.
   NodeShare(std::size_t size, const std::vector<std::size_t>& first_named, std::vector<Index> named, std::size_t rank)
-      : rank_(rank), named_(ascending(std::move(named))), is_named_(size), needed_(first_named.size()) {
+      : rank_(rank), named_(std::move(named)), is_named_(size), needed_(first_named.size()) {
     for (const std::size_t end : first_named) ends_.push_back(std::min((end + chunk / 2) / chunk * chunk, size));
     ends_.back() = size;
     for (const Index place : named_) is_named_[place] = true;
@@ -59,14 +59,11 @@ class NodeShare {
         if (owner(place) == r) lent_.from[r].push_back(place);
     }
     const auto [first, last] = own();
-    std::vector<Index> others = needed_[rank_];
+    std::vector<Index> named_of_others;
     for (const Index place : named_)
-      if (place < first || place >= last) others.push_back(place);
-    others_ = runs(ascending(std::move(others)));
-    std::vector<Index> of_others;
-    for (const Index place : named_)
-      if (place < first || place >= last) of_others.push_back(place);
-    named_of_others_ = runs(of_others);
+      if (place < first || place >= last) named_of_others.push_back(place);
+    others_ = runs(ascending(needed_[rank_], named_of_others));
+    named_of_others_ = runs(named_of_others);
     needed_.clear();
   }
 

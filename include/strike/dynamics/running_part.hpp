@@ -178,9 +178,9 @@ class RunningPart {
   const std::vector<detail::Outcome>& outcomes() const { return outcomes_; }
   /// The cells by the numbers of elements and nodes as given; wedges and pyramids by canonical_hexahedron.
   Cells<n> cells(const Nodes& nodes) const {
-    std::vector<std::array<Index, n>> cells(size());
+    Cells<n> cells(size());
     for (std::size_t p = first_place(); p < last_place(); ++p) cells[p] = elements_.cell(nodes, p);
-    return Cells<n>(in_order<std::array<Index, n>>(std::move(cells)));
+    return in_order(std::move(cells));
   }
 
   /// A value per element, the mean over its points of f(state of a point), a number or a tensor:
@@ -373,10 +373,10 @@ class RunningPart {
       return;
     }
     deal_.exchange_nodes(ranks_, nodes.force());
-    deal_.exchange_ghosts(ranks_, nodes.motion().force);
+    deal_.exchange_ghosts(ranks_, motion.force);
     if constexpr (Nodes::nodes_turn) {
       deal_.exchange_nodes(ranks_, nodes.moment());
-      deal_.exchange_ghosts(ranks_, nodes.motion().moment);
+      deal_.exchange_ghosts(ranks_, motion.moment);
     }
   }
 

@@ -75,6 +75,7 @@ class Nodes {
   /// now.
   void set_known(std::vector<char> known) { known_ = std::move(known); }
   void know_all(bool all) { knows_all_ = all; }
+  bool knows_all() const { return knows_all_; }
 
   /// Error: there is no node of this number.
   void check_number(std::size_t i) const {
