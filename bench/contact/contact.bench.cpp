@@ -1,12 +1,10 @@
 // What contact costs: per contact node, a search and a step; of two blocks of hexahedra of which one lies on the other,
 // or hovers above it, the contact alone and the whole step.
-#include <chrono>
 #include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include <strike/motion/openmp.hpp>
 #include <strike/strike.hpp>
 
 #include "../support/materials.hpp"
@@ -68,39 +66,6 @@ void touch(benchmark::State& bench, Index n, double apart, const Policies&... po
   bench.counters["pairs"] = static_cast<double>(run.template item<1>().pairs().size());
 }
 
-/// The steps in which a block of 32 x 32 x 16 cells strikes 64 x 64 plates, flat, with all its lower nodes: the first
-/// ones from the touch on, or without contact.
-template <class... Contacts>
-void strike_plates(benchmark::State& bench, int threads, int count, const Contacts&... contacts) {
-  const double h = 1e-3;
-  Mesh mesh = rectangle({.size = {64 * h, 64 * h}, .cells = {64, 64}});
-  const Index first = append(
-      mesh, translated(box({.size = {33 * h, 33 * h, 16 * h}, .cells = {32, 32, 16}}), {15.3 * h, 15.7 * h, 0.52 * h}));
-  std::vector<Index> block;
-  for (Index i = first; i < mesh.nodes.size(); ++i) block.push_back(i);
-  constexpr std::size_t enough = 10;  // pairs
-  double steps = 0, pairs = 0;
-  for (auto _ : bench) {
-    Explicit run{
-        Scene{mesh.nodes,
-              Part{Plate4{}, Homogeneous{PlaneStress{Solid{bench::linear, bench::hardening}}, h}, mesh.quadrilaterals},
-              Part{Hex8{ViscousHourglass{}}, Solid{bench::linear, bench::hardening}, mesh.hexahedra}, contacts...,
-              InitialVelocity{{0.3, 0.2, -20}, block}},
-        ExplicitOptions{.print_warnings = false}, OpenMP{.threads = threads}};
-    const auto in_touch = [&] {
-      if constexpr (sizeof...(Contacts) > 0)
-        return run.template contact<0>().pairs().size();
-      else
-        return enough;
-    };
-    while (in_touch() < enough) run.step();
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < count; ++i) run.step(), steps += 1, pairs += static_cast<double>(in_touch());
-    bench.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / count);
-  }
-  bench.counters["pairs"] = pairs / steps;
-}
-
 void search(benchmark::State& bench, Index n) {
   const Blocks blocks(n, 0.01);
   std::vector<std::array<Index, 4>> faces;
@@ -127,22 +92,6 @@ const bool registered = [] {
     add("whole step, kinematic" + of, [=](auto& b) { step(b, 100, apart); });
     add("whole step, penalty" + of, [=](auto& b) { step(b, 100, apart, Penalty{}); });
   }
-  for (const int threads : {1, 2})
-    for (const int steps : {20, 400}) {
-      const std::string of = detail::joined(
-          {"block on plates, ", std::to_string(threads), " threads, ", std::to_string(steps), " steps/"});
-      const auto add_strike = [&](const std::string& name, auto... contacts) {
-        benchmark::RegisterBenchmark((of + name).c_str(),
-                                     [=](auto& b) { strike_plates(b, threads, steps, contacts...); })
-            ->Unit(benchmark::kMillisecond)
-            ->UseManualTime()
-            ->Iterations(steps < 100 ? 5 : 1);
-      };
-      add_strike("without contact");
-      add_strike("kinematic", Contact{Everything{}});
-      add_strike("penalty", Contact{Everything{}, Penalty{}});
-      add_strike("kinematic, friction", Contact{Everything{}, Coulomb{0.3}});
-    }
   return true;
 }();
 
