@@ -228,17 +228,17 @@ class AbaqusReader {
       element.number = file_.tag(taken(line, ','), "the number of an element");
       element.line = file_.line();
       const std::size_t corners = corner_count(element.shape);
-      const auto next = [&](std::size_t i, const char* meaning, std::size_t count) {
+      const auto next = [&](std::size_t i, std::string_view meaning, std::size_t count) {
         if (trimmed(line).empty() && !file_.data(line))
           file_.refuse({"element ", std::to_string(element.number), " of type ", type, " has ", std::to_string(i), " ",
-                        meaning, "s of ", std::to_string(count), ": give them all."});
-        return file_.tag(taken(line, ','), joined({"a ", meaning}));
+                        meaning.substr(2), "s of ", std::to_string(count), ": give them all."});
+        return file_.tag(taken(line, ','), meaning);
       };
-      for (std::size_t i = 0; i < corners; ++i) element.corners[i] = next(i, "corner", corners);
+      for (std::size_t i = 0; i < corners; ++i) element.corners[i] = next(i, "a corner", corners);
       if (element.second != SecondOrderKind::none) {
         std::array<FileNumber, 19> mids;
         const std::span<const std::uint8_t> order = order_of_mids(element.second);
-        for (std::size_t i = 0; i < order.size(); ++i) mids[order[i]] = next(i, "mid node", order.size());
+        for (std::size_t i = 0; i < order.size(); ++i) mids[order[i]] = next(i, "a mid node", order.size());
         raw.set_mids(element, std::span(mids).first(order.size()));
       }
       if (!trimmed(line).empty())
