@@ -13,6 +13,7 @@
 #include <strike/contact/crossing.hpp>
 #include <strike/contact/first_touch.hpp>
 #include <strike/contact/follow_touch.hpp>
+#include <strike/contact/found_touches.hpp>
 #include <strike/contact/interior.hpp>
 #include <strike/contact/near_faces.hpp>
 #include <strike/contact/neighbourhood.hpp>
@@ -22,6 +23,8 @@
 #include <strike/contact/touch.hpp>
 #include <strike/contact/touched_faces.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/motion/execution.hpp>
+#include <strike/motion/ranks.hpp>
 #include <strike/motion/step.hpp>
 
 namespace strike::detail {
@@ -65,12 +68,13 @@ class Approach {
     near_.forget(), has_changed_ = true;
   }
 
-  /// Appends the pairs of the step, in the order of their nodes, each of which is decided alone. `rounding` are nodes
-  /// that come round an edge; those that go past one are added to it.
+  /// Appends the pairs of the step, in the order of their nodes, each of which is decided alone, by one of the
+  /// processes of a run. `rounding` are nodes that come round an edge; those that go past one are added to it.
   template <class Execution>
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, Rounding& rounding,
             const Execution& execution) {
     near_.update(all, nodes_, faces_, step.dt, never(), execution);
+    mine_ = nodes_.size() < least_dealt ? Turns{} : Turns(ranks_of(execution));
     choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
     found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
@@ -79,8 +83,9 @@ class Approach {
       for (std::size_t k = c * per_chunk; k < std::min((c + 1) * per_chunk, chosen_.size()); ++k)
         visit(chosen_[k], all, step.dt, rounding, found_[c]);
     });
+    if (mine_.ranks > 1) found_ = {of_all(ranks_of(execution), found_)};
     const std::size_t first_pair = pairs.size();
-    for (const Found& found : found_) {
+    for (const FoundTouches& found : found_) {
       if (const auto& deep = found.too_deep)
         check_depth(all.number(deep->node), all.x[deep->node], deep->depth, deep->most);
       touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
@@ -95,8 +100,8 @@ class Approach {
     find(all, step, pairs, rounding, execution);
   }
 
-  /// The step in which no node closes on a face by more than their gap and a share of the face, for a step of about
-  /// `dt`, when positions have moved for a time `moved` at the present velocities.
+  /// The step in which no node of this process closes on a face by more than their gap and a share of the face, for a
+  /// step of about `dt`, when positions have moved for a time `moved` at the present velocities.
   double closing_step(const ContactNodes& all, double moved, double dt) {
     double step = dt;
     if (moved == 0 || has_changed_)  // before the first step, or after a deletion
@@ -110,6 +115,7 @@ class Approach {
       if (closing * dt > closing_share * cell) step = std::min(step, detail::closing_step(0, closing, cell));
     }
     for (const Index s : near_.awake()) {
+      if (!mine_.has(s)) continue;
       const Index i = nodes_[s];
       near_.each_within(s, dt, [&](Index f) {
         const auto& corners = faces_.target.faces()[f];
@@ -152,21 +158,8 @@ class Approach {
     Index node;
     std::size_t first, last;
   };
-  /// A node of the contact that is deeper than it may be [length].
-  struct TooDeep {
-    Index node;
-    double depth, most;
-  };
-  /// Touches of the nodes of a chunk, and their pairs.
-  struct Found {
-    std::vector<Touch> touches;
-    std::vector<ContactPair> pairs;
-    std::vector<Index> gone_past;     // an edge, nodes of the contact
-    std::optional<TooDeep> too_deep;  // the first; its error waits for the end of the loop, which must not throw
-
-    void clear() { touches.clear(), pairs.clear(), gone_past.clear(), too_deep.reset(); }
-  };
   static constexpr std::size_t per_chunk = 64;
+  static constexpr std::size_t least_dealt = 256;  // nodes that are worth an exchange
 
   void choose_nodes(const Rounding& rounding) {
     chosen_.clear();
@@ -174,7 +167,7 @@ class Approach {
     const auto choose = [&](Index s) {
       const std::size_t first = touch;
       while (touch < touches_.size() && touches_[touch].node == s) ++touch;
-      chosen_.push_back({s, first, touch});
+      if (mine_.has(s)) chosen_.push_back({s, first, touch});
     };
     const auto choose_touches_before = [&](Index s) {
       while (touch < touches_.size() && touches_[touch].node < s) choose(touches_[touch].node);
@@ -184,7 +177,7 @@ class Approach {
     choose_touches_before(static_cast<Index>(nodes_.size()));
   }
   /// Follows the touches of a node and begins others.
-  void visit(const Chosen& chosen, const ContactNodes& all, double dt, const Rounding& rounding, Found& found) {
+  void visit(const Chosen& chosen, const ContactNodes& all, double dt, const Rounding& rounding, FoundTouches& found) {
     const std::size_t first = found.touches.size(), gone_past = found.gone_past.size();
     for (std::size_t k = chosen.first; k < chosen.last; ++k) follow(last_[k], first, all, dt, found);
     const bool comes_round = found.gone_past.size() > gone_past || rounding.has(nodes_[chosen.node]);
@@ -201,7 +194,7 @@ class Approach {
   }
   /// A touch of the last step goes on while the node is inside or will be at the end of the step; `first` is the
   /// node's first touch of this step.
-  void follow(Touch touch, std::size_t first, const ContactNodes& all, double dt, Found& found) const {
+  void follow(Touch touch, std::size_t first, const ContactNodes& all, double dt, FoundTouches& found) const {
     const Index i = nodes_[touch.node];
     const auto place = FollowedTouch<self>(touch, i, faces_, all, near_.of(touch.node)).place();
     if (!place) return found.gone_past.push_back(i);
@@ -212,7 +205,7 @@ class Approach {
     touch.initial_depth = std::clamp(-height, 0.0, touch.initial_depth);
     const ContactPair pair = faces_.pair(i, *place, height + touch.initial_depth);
     const double most = std::max(std::min(faces_.size, std::numbers::sqrt2 * edge_[i]), depth);
-    if (-pair.gap > most && !found.too_deep) found.too_deep = TooDeep{i, -pair.gap, most};
+    if (-pair.gap > most && !found.too_deep) found.too_deep = FoundTouches::TooDeep{i, -pair.gap, most};
     if (pair.gap > 0 && pair.gap + dt * pair.normal.dot(pair.velocity(all)) >= 0) return;
     touch.face = place->face, touch.place = place->on_face();
     touch.normal = touch_normal(*place, all);
@@ -220,7 +213,7 @@ class Approach {
   }
   /// Appends a further touch of a node if it meets a face that its touches from `first` on do not cover.
   bool begins_touch(Index s, std::size_t first, const ContactNodes& all, double dt, bool comes_round, bool looks_at_all,
-                    Found& found) {
+                    FoundTouches& found) {
     const Index i = nodes_[s];
     FirstTouch met(i, faces_, all, dt, std::span(found.touches).subspan(first), std::span(found.pairs).subspan(first),
                    comes_round, near_.reach());
@@ -302,10 +295,11 @@ class Approach {
   TouchedFaces faces_;
   std::vector<Touch> touches_, last_;  // of this step and of the last, in the order of their nodes
   std::vector<Chosen> chosen_;         // in this step
-  std::vector<Found> found_;           // by their chunks
+  std::vector<FoundTouches> found_;    // by their chunks
   std::vector<double> edge_;           // the least of the cells of every ContactNode at the start [length]
   double least_edge_ = 0;              // of those and the size of the faces [length]
   bool has_changed_ = false;           // cells have gone since the last search
+  Turns mine_;                         // the nodes that this process decides
   NearFaces<self> near_;
   std::vector<Eigen::Vector3d> start_;  // of plates that may touch themselves
   Neighbourhood neighbourhood_;

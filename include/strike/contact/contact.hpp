@@ -98,7 +98,7 @@ class Contact {
       dt = stable_step_with_contact(dt, kappa);
       if constexpr (closes) {
         if (step_.dt == 0) all_.gather(nodes, Serial{});  // before the first step
-        dt = meeting_->closing_step(all_, step_.dt, dt);
+        dt = detail::least_of_ranks(nodes.ranks(), meeting_->closing_step(all_, step_.dt, dt));
       }
     }
     return dt;

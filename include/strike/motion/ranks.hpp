@@ -49,6 +49,16 @@ auto ranks_of(const Execution& execution) {
     return Alone{};
 }
 
+/// Things that follow each other in space, dealt to the processes in turns of eight: each has some of every place.
+struct Turns {
+  std::size_t rank = 0, ranks = 1;
+
+  Turns() = default;
+  template <class Ranks>
+  explicit Turns(const Ranks& all) : rank(all.rank()), ranks(all.size()) {}
+  bool has(std::size_t k) const { return ranks == 1 || k / 8 % ranks == rank; }
+};
+
 /// The number of each process, by rank.
 template <class Ranks, class T>
 std::vector<T> of_all_ranks(const Ranks& ranks, const T& mine) {
@@ -58,10 +68,24 @@ std::vector<T> of_all_ranks(const Ranks& ranks, const T& mine) {
   ranks.exchange(std::span(all), std::span<const std::size_t>(ends));
   return all;
 }
+/// Their lists, one after the other.
+template <class Ranks, class T>
+std::vector<T> lists_of_all_ranks(const Ranks& ranks, const std::vector<T>& mine) {
+  std::vector<std::size_t> ends = of_all_ranks(ranks, mine.size());
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<T> all(ends.back());
+  std::copy(mine.begin(), mine.end(), all.begin() + static_cast<std::ptrdiff_t>(ends[ranks.rank()] - mine.size()));
+  ranks.exchange(std::span(all), std::span<const std::size_t>(ends));
+  return all;
+}
 template <class Ranks>
 double largest_of_ranks(const Ranks& ranks, double mine) {
   const std::vector<double> all = of_all_ranks(ranks, mine);
   return *std::max_element(all.begin(), all.end());
+}
+template <class Ranks>
+double least_of_ranks(const Ranks& ranks, double mine) {
+  return -largest_of_ranks(ranks, -mine);
 }
 /// The number in each list that any process has marked.
 template <class Ranks>
