@@ -116,6 +116,7 @@ void strike_wall(const Element& element, In<T> number, const Study& study, Recor
       [&] { record.watch(run.time(), run.steps(), run.dt(), run.energy().error()); },
       Checkpoint{"bar.checkpoint", study.checkpoint, record});
   record.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  examples::print_imbalance(run);
   record.positions = run.positions(), record.plastic_strain = plastic_strain(), record.energy = run.energy(),
   record.steps = run.steps();
 }

@@ -263,6 +263,7 @@ Flight strike_at(const Transparency& target, const Section& section, const strik
               film.write(run.time(), what_is_left(), run.positions(), {}, fields);
             }});
   flight.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  print_imbalance(run);
   flight.steps = run.steps(), flight.warnings = run.warnings();
   flight.impulse = contact.impulse().norm();
   flight.impulse_error = (momentum() - before - contact.impulse()).norm() / before.norm();

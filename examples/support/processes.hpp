@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdio>
+
 #include <strike/motion/execution.hpp>
 #include <strike/mpi.hpp>
 
@@ -14,5 +16,14 @@ struct Session {
 };
 using Processes = strike::Serial;
 #endif
+
+/// Tells how evenly the processes have shared the elements of a run, if they are several. All of them ask together.
+template <class Run>
+void print_imbalance(const Run& run) {
+  const double imbalance = run.imbalance();
+  if (run.nodes().ranks().size() > 1)
+    std::printf("The busiest of %zu processes took %.2f of their mean time for the elements.\n",
+                run.nodes().ranks().size(), imbalance);
+}
 
 }  // namespace examples

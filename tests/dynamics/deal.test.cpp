@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -36,7 +37,7 @@ TEST_CASE("deal: every patch goes to one process, in their order, and the shares
   for (const std::size_t ranks : {1u, 2u, 3u, 7u, 40u}) {
     std::size_t next = 0, most = 0;
     for (std::size_t r = 0; r < ranks; ++r) {
-      const Deal deal(patches, bars, 1, {0, bars}, Rank{r, ranks});
+      const Deal deal(patches, bars, 1, {0, 8, 8 * bars}, Rank{r, ranks});
       CHECK(deal.first() == next);
       next = deal.last();
       std::size_t elements = 0;
@@ -49,9 +50,14 @@ TEST_CASE("deal: every patch goes to one process, in their order, and the shares
     CHECK(most <= bars / ranks + patches[0].last_block);
   }
   // of two parts of a scene the first goes to the first of two processes
-  CHECK(Deal(patches, bars, 1, {0, 2 * bars}, Rank{0, 2}).size() == patches.size());
-  CHECK(Deal(patches, bars, 1, {bars, 2 * bars}, Rank{0, 2}).size() == 0);
-  CHECK(Deal(patches, bars, 1, {bars, 2 * bars}, Rank{1, 2}).size() == patches.size());
+  CHECK(Deal(patches, bars, 1, {0, 8, 16 * bars}, Rank{0, 2}).size() == patches.size());
+  CHECK(Deal(patches, bars, 1, {8 * bars, 8, 16 * bars}, Rank{0, 2}).size() == 0);
+  CHECK(Deal(patches, bars, 1, {8 * bars, 8, 16 * bars}, Rank{1, 2}).size() == patches.size());
+  // and of heavy elements beside as many light ones the first of two has two thirds
+  std::size_t heavy = 0;
+  const Deal deal(patches, bars, 1, {0, 24, 32 * bars}, Rank{0, 2});
+  for (std::size_t p = 0; p < deal.last(); ++p) heavy += patches[p].last_block - patches[p].first_block;
+  CHECK(std::abs(static_cast<double>(heavy) - 2.0 / 3 * bars) <= 0.5 * static_cast<double>(patches[0].last_block));
 }
 
 TEST_CASE("node share: of every node that is needed the owner lends it to those that need it, and to no others") {

@@ -40,6 +40,9 @@ TEST_CASE("a bar that strikes a wall, with its supports and loads") {
   const auto strain = [](const auto& state) { return state.equivalent_plastic_strain; };
   CHECK(run.template part<0>().field(strain) == alone.template part<0>().field(strain));
   CHECK(run.template part<0>().cells(run.nodes()) == bar.hexahedra);
+  CHECK(alone.imbalance() == 1);
+  CHECK(run.imbalance() >= 1);
+  CHECK(run.imbalance() <= static_cast<double>(session.size()));
   Explicit serial{scene(), {.step_factor = .8, .print_warnings = false}};
   for (int n = 0; n < 100; ++n) serial.step();
   CHECK(serial.positions() == run.positions());

@@ -21,9 +21,15 @@ namespace strike::detail {
 /// How the elements and nodes of a scene lie in memory: neighbours together, whatever their numbers are.
 struct Arrangement {
   std::vector<std::vector<Index>> cells;  ///< of each part, the numbers of its elements in order
-  std::vector<PlaceInScene> places{};     ///< of each part
-  bool is_dealt = true;                   ///< each process works on a share of the elements, else on all
+  std::vector<PlaceInScene> places{};     ///< of each part; none: each process works on all elements
   std::vector<Index> nodes;               ///< the numbers of the nodes in the order in which the elements name them
+
+  /// Places a part of some blocks behind the others.
+  void place(std::size_t blocks, std::size_t bytes_of_block) {
+    const std::size_t before = places.empty() ? 0 : places.back().all;
+    places.push_back({before, bytes_of_block, 0});
+    for (PlaceInScene& each : places) each.all = before + blocks * bytes_of_block;
+  }
 };
 
 /// Error: a node whose position is not finite.
@@ -55,9 +61,6 @@ class Arranger {
   /// With the nodes behind that no element names.
   Arrangement finished() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) name(static_cast<Index>(i));
-    std::size_t all = 0;
-    for (const auto& cells : made_.cells) made_.places.push_back({all, 0}), all += cells.size();
-    for (PlaceInScene& place : made_.places) place.all = all;
     return std::move(made_);
   }
 

@@ -9,26 +9,29 @@
 
 namespace strike::detail {
 
-/// The place of a part among all elements of a scene.
+/// The place of a part among all elements of a scene, by the bytes of their blocks: the time of a step goes with them,
+/// within a quarter for most elements and laws (docs/prices.md).
 struct PlaceInScene {
-  std::size_t before, all;  ///< elements of parts before it, and of all parts
+  std::size_t before, of_block, all;  ///< bytes of parts before it, of a block of its own, and of all parts
 };
 
-/// The patches of a part as they are dealt to the processes of a run, so that each has as many elements of the scene as
+/// The patches of a part as they are dealt to the processes of a run, so that each has as many bytes of the scene as
 /// the others. A process works on patches that follow each other, whose nodes and ghosts do too.
 class Deal {
  public:
   Deal() = default;
   /// All patches for every process.
   explicit Deal(const Patches& patches) : last_(patches.size()) {}
-  /// Of a part of `size` elements in blocks of `lanes`. A patch goes to the process whose share has its middle element.
+  /// Of a part of `size` elements in blocks of `lanes`. A patch goes to the process whose share has its middle.
   template <class Ranks>
   Deal(const Patches& patches, std::size_t size, std::size_t lanes, const PlaceInScene& place, const Ranks& ranks)
       : last_(patches.size()) {
     if (ranks.size() == 1) return;
     std::size_t p = 0;
     for (std::size_t r = 0; r < ranks.size(); ++r) {
-      const auto middle = [&] { return place.before + (patches[p].first_block + patches[p].last_block) * lanes / 2; };
+      const auto middle = [&] {
+        return place.before + (patches[p].first_block + patches[p].last_block) * place.of_block / 2;
+      };
       if (r == ranks.rank()) first_ = p;
       while (p < patches.size() && (r + 1 == ranks.size() || middle() * ranks.size() < (r + 1) * place.all)) ++p;
       if (r == ranks.rank()) last_ = p;

@@ -80,6 +80,7 @@ class IllFormedRun {
   const IllFormedNodes& nodes() const { return nodes_; }
   std::vector<Eigen::Vector3d> positions() const { return {}; }
   std::vector<Eigen::Vector3d> velocities() const { return {}; }
+  double imbalance() const { return 1; }
   void each_part(const auto&) const {}
   void each_body(const auto&) const {}
   template <std::size_t>

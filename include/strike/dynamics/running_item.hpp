@@ -20,6 +20,7 @@ namespace strike::detail {
 template <class Item, class Method, class Nodes>
 struct RunningItem {
   using type = Item;
+  static void place(const Item&, Arrangement&) {}
   static Item start(Item& item, Nodes&, Arrangement&, std::size_t&) { return std::move(item); }
 };
 template <class E, class M, std::size_t n, class R, class Method, class Nodes>
@@ -27,12 +28,15 @@ struct RunningItem<Part<E, M, n, R>, Method, Nodes> {
   using Element = typename Method::Bound::template Element<E>;
   using Material = typename Method::Bound::template Material<M>;
   using type = RunningPart<Element, Material, typename Method::Numbers::Number, Nodes, R>;
+  static void place(const Part<E, M, n, R>& part, Arrangement& arrangement) {
+    arrangement.place((part.cells.size() + type::width - 1) / type::width, sizeof(typename type::Block));
+  }
   static type start(Part<E, M, n, R>& part, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     const std::size_t mine = number++;
     return type(
         {Element{std::move(part.element)}, Material{std::move(part.material)}, std::move(part.cells), part.removal},
         nodes, mine, std::move(arrangement.cells[mine]),
-        arrangement.is_dealt ? std::optional(arrangement.places[mine]) : std::nullopt);
+        arrangement.places.empty() ? std::nullopt : std::optional(arrangement.places[mine]));
   }
 };
 
@@ -40,6 +44,9 @@ template <class Item, class Method, class Nodes>
 struct RunningItem<std::vector<Item>, Method, Nodes> {
   using One = RunningItem<Item, Method, Nodes>;
   using type = std::vector<typename One::type>;
+  static void place(const std::vector<Item>& items, Arrangement& arrangement) {
+    for (const Item& item : items) One::place(item, arrangement);
+  }
   static type start(std::vector<Item>& items, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     type started;
     started.reserve(items.size());
@@ -50,6 +57,9 @@ struct RunningItem<std::vector<Item>, Method, Nodes> {
 template <class... Items, class Method, class Nodes>
 struct RunningItem<std::variant<Items...>, Method, Nodes> {
   using type = std::variant<typename RunningItem<Items, Method, Nodes>::type...>;
+  static void place(const std::variant<Items...>& item, Arrangement& arrangement) {
+    std::visit([&]<class Item>(const Item& one) { RunningItem<Item, Method, Nodes>::place(one, arrangement); }, item);
+  }
   static type start(std::variant<Items...>& item, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     std::optional<type> started;
     with_alternative(item, [&]<class Item, std::size_t i>(Item& one, std::integral_constant<std::size_t, i>) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -90,6 +91,7 @@ class RunningPart {
       volume_.exchange(deal_, ranks_);
       volume_.update(patches_);
     }
+    const double begin = now();
     if constexpr (sees_neighbours)
       cloud_.compute_forces(elements_, patches_, nodes, outcomes_, schedule.dt(0), execution);
     else
@@ -100,6 +102,7 @@ class RunningPart {
         outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
         patches_.store(patches_[p], nodes);
       });
+    seconds_ += now() - begin;
     exchange(nodes);
     patches_.store_ghosts(nodes, execution, shared_.first, shared_.last);
     return book(nodes, ledger);
@@ -208,6 +211,8 @@ class RunningPart {
     return deal_.is_dealt() ? detail::first_of_ranks(ranks_, mine) : mine;
   }
 
+  /// The time that this process has taken for the elements since the start [s]; 0 in a run without processes.
+  double seconds() const { return seconds_; }
   /// The processes of the run, and the patches that each works on.
   const Ranks& ranks() const { return ranks_; }
   const detail::Deal& deal() const { return deal_; }
@@ -303,6 +308,12 @@ class RunningPart {
         scaled_.add(elements_.order[place], corners * static_cast<double>(lane(mass, l)),
                     corners * static_cast<double>(lane(own, l)), static_cast<double>(lane(block.state.mass_factor, l)));
     }
+  }
+  static double now() {
+    if constexpr (std::is_same_v<Ranks, Alone>)
+      return 0;
+    else
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
   static T mass_of(const T& mass) { return mass; }
   static T mass_of(const NodalInertia<T>& given) { return given.mass; }
@@ -447,7 +458,7 @@ class RunningPart {
   bool is_shared_ = false;
   detail::PlaceLists due_, due_ghosts_;  // forces, from other processes and to them
   detail::Places shared_{};              // of the nodes with ghosts, those that are own
-  double mass_ = 0;
+  double mass_ = 0, seconds_ = 0;
   detail::Patches patches_;
   std::vector<detail::Outcome> outcomes_;
   [[no_unique_address]] std::conditional_t<scales_mass, detail::ScaledMass, NothingScaled> scaled_;

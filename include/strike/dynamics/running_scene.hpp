@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -17,6 +18,7 @@
 #include <strike/each_of.hpp>
 #include <strike/error.hpp>
 #include <strike/motion/ledger.hpp>
+#include <strike/motion/ranks.hpp>
 #include <strike/text.hpp>
 
 namespace strike::detail {
@@ -61,6 +63,15 @@ class RunningScene : public AnyRun<Method, typename Method::template Nodes<Scene
     each([&](const auto& item) {
       if constexpr (is_running_part<std::remove_cvref_t<decltype(item)>>) f(item);
     });
+  }
+  /// The time that the busiest process has taken for the elements since the start, in times of the mean. All processes
+  /// ask together.
+  double imbalance() const {
+    double mine = 0;
+    each_part([&](const auto& part) { mine += part.seconds(); });
+    const std::vector<double> all = of_all_ranks(this->nodes_.ranks(), mine);
+    const double sum = std::accumulate(all.begin(), all.end(), 0.0);
+    return sum > 0 ? *std::max_element(all.begin(), all.end()) * static_cast<double>(all.size()) / sum : 1;
   }
   /// f(body) for each RigidBody.
   template <class F>
@@ -175,10 +186,11 @@ class RunningScene : public AnyRun<Method, typename Method::template Nodes<Scene
     });
   }
   static RunningItems start(std::tuple<Items...>& items, Nodes& nodes, Arrangement& arrangement) {
-    arrangement.is_dealt = !has_debris;  // which needs the states of what it comes from
     std::size_t part = 0;
     return std::apply(
         [&](auto&... item) {
+          if constexpr (!has_debris)  // which needs the states of what it comes from
+            (RunningItem<Items, Method, Nodes>::place(item, arrangement), ...);
           return RunningItems{RunningItem<Items, Method, Nodes>::start(item, nodes, arrangement, part)...};
         },
         items);
