@@ -1,5 +1,5 @@
-// What contact costs where all of a surface strikes at once: a block of 32 x 32 x 16 hexahedra on 64 x 64 plates, flat,
-// from the first pairs on. Runs take turns of ten steps; of each turn the quickest of the repeats counts.
+// The cost of contact where all of a surface strikes at once: a block of 32 x 32 x 16 hexahedra on 64 x 64 plates,
+// flat, from the first pairs on. Runs take turns of ten steps; of each turn the quickest of the repeats counts.
 //
 //   build/bench/bench/block_on_plates [repeats=7]
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 using namespace strike;
 using namespace bench;
 
-/// A contact that takes its time.
+/// A contact that measures its own time.
 template <class Law, class Friction>
 class Timed : public Contact<Everything, Law, Friction> {
  public:
@@ -43,14 +43,14 @@ class Timed : public Contact<Everything, Law, Friction> {
   double seconds_ = 0;
 };
 
-constexpr std::size_t per_turn = 10, turns = 40, contact_item = 3;  // of the scene
+constexpr std::size_t per_turn = 10, turns = 40;  // steps of a turn, turns of a run
 
-/// Seconds of each turn and in all steps of the first or of all turns.
+/// The least time of each turn over the repeats [s].
 class Quickest {
  public:
   Quickest() { seconds_.fill(std::numeric_limits<double>::infinity()); }
   void take(std::size_t turn, double seconds) { seconds_[turn] = std::min(seconds_[turn], seconds); }
-  /// Of a step, in the first turns [s].
+  /// That of a step, the mean over the first turns [s].
   double of_step(std::size_t first_turns) const {
     double sum = 0;
     for (std::size_t t = 0; t < first_turns; ++t) sum += seconds_[t];
@@ -78,8 +78,8 @@ auto strike_plates(int threads, const Law& law, const Friction& friction) {
             Part{Hex8{ViscousHourglass{}}, Solid{linear, hardening}, mesh.hexahedra},
             InitialVelocity{{0.3, 0.2, -20}, block}, Timed<Law, Friction>(Everything{}, law, friction)},
       ExplicitOptions{.print_warnings = false}, OpenMP{.threads = threads}};
-  while (run.template item<contact_item>().pairs().size() < 10) run.step();
-  run.template item<contact_item>().take_seconds();
+  while (run.template contact<0>().pairs().size() < 10) run.step();
+  run.template contact<0>().take_seconds();
   return run;
 }
 
@@ -87,9 +87,9 @@ void take_turn(auto& run, std::size_t turn, Price& price) {
   price.pairs[turn] = 0;
   const double all = wall_seconds([&] {
     for (std::size_t i = 0; i < per_turn; ++i)
-      run.step(), price.pairs[turn] += run.template item<contact_item>().pairs().size();
+      run.step(), price.pairs[turn] += run.template contact<0>().pairs().size();
   });
-  const double contact = run.template item<contact_item>().take_seconds();
+  const double contact = run.template contact<0>().take_seconds();
   price.contact.take(turn, contact), price.rest.take(turn, all - contact);
 }
 

@@ -178,6 +178,26 @@ TEST_CASE("bodies that erode, touch and rub, with a rigid one and a tie") {
   CHECK(run.template part<2>().added_mass() == alone.template part<2>().added_mass());
 }
 
+TEST_CASE("bodies that meet so fast that what is about to touch bounds the step") {
+  Mesh mesh = box({.size = {1, 1, 1}, .cells = {8, 8, 8}});
+  const Cells<8> lower = mesh.hexahedra;
+  const Index first = append(mesh, translated(box({.size = {.9, .8, .7}, .cells = {9, 8, 8}}), {.13, .08, 1.003}));
+  const Cells<8> upper(mesh.hexahedra.begin() + static_cast<std::ptrdiff_t>(lower.size()), mesh.hexahedra.end());
+  std::vector<Index> flying;
+  for (Index i = first; i < mesh.nodes.size(); ++i) {
+    flying.push_back(i);
+    mesh.nodes[i].z() += .05 * mesh.nodes[i].x() + .03 * mesh.nodes[i].y();
+  }
+  testing::runs_alike(
+      [&] {
+        return Scene{
+            mesh.nodes, Part{Hex8{}, copper, mesh.hexahedra}, InitialVelocity{{200, -100, -5000}, flying},
+            Contact{TwoWay{Surface{surface(Mesh{mesh.nodes, lower})}, Surface{surface(Mesh{mesh.nodes, upper})}},
+                    Coulomb{.1}}};
+      },
+      150);
+}
+
 TEST_CASE("particles, and what eroded elements become") {
   const Mesh brick = box({.size = {2, 2, 2}, .cells = {7, 7, 7}});
   Mesh mesh = brick;

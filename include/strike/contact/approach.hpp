@@ -74,7 +74,8 @@ class Approach {
   void find(const ContactNodes& all, const Step& step, std::vector<ContactPair>& pairs, Rounding& rounding,
             const Execution& execution) {
     near_.update(all, nodes_, faces_, step.dt, never(), execution);
-    mine_ = nodes_.size() < least_dealt ? Turns{} : Turns(ranks_of(execution));
+    const auto ranks = ranks_of(execution);
+    mine_ = nodes_.size() < least_dealt ? Turns{} : Turns(ranks);
     choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
     found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
@@ -83,15 +84,18 @@ class Approach {
       for (std::size_t k = c * per_chunk; k < std::min((c + 1) * per_chunk, chosen_.size()); ++k)
         visit(chosen_[k], all, step.dt, rounding, found_[c]);
     });
-    if (mine_.ranks > 1) found_ = {of_all(ranks_of(execution), found_)};
     const std::size_t first_pair = pairs.size();
-    for (const FoundTouches& found : found_) {
+    const auto take = [&](const FoundTouches& found) {
       if (const auto& deep = found.too_deep)
         check_depth(all.number(deep->node), all.x[deep->node], deep->depth, deep->most);
       touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
       pairs.insert(pairs.end(), found.pairs.begin(), found.pairs.end());
       for (const Index i : found.gone_past) rounding.add(i);
-    }
+    };
+    if (mine_.ranks > 1)
+      take(of_all(ranks, found_));
+    else
+      for (const FoundTouches& found : found_) take(found);
     for (std::size_t k = 0; k < touches_.size(); ++k) remember(pairs[first_pair + k], touches_[k]);
   }
   template <class Execution>

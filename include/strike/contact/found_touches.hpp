@@ -12,7 +12,7 @@
 
 namespace strike::detail {
 
-/// What some nodes of a contact touch in a step, in the order of the nodes.
+/// The touches of some nodes of a contact in a step, in the order of the nodes.
 struct FoundTouches {
   /// A node of the contact that is deeper than it may be [length].
   struct TooDeep {
@@ -27,7 +27,7 @@ struct FoundTouches {
   void clear() { touches.clear(), pairs.clear(), gone_past.clear(), too_deep.reset(); }
 };
 
-/// What all processes have found, each in chunks of nodes of its own.
+/// The touches of the nodes of all processes, each of which has found those of its own in chunks.
 template <class Ranks>
 FoundTouches of_all(const Ranks& ranks, const std::vector<FoundTouches>& chunks) {
   FoundTouches mine;

@@ -96,8 +96,9 @@ class SurfaceMeeting {
     rounding_.end_step();
   }
   double closing_step(const ContactNodes& all, double moved, double dt) {
-    for (auto& approach : approaches_) dt = approach.closing_step(all, moved, dt);
-    return dt;
+    double step = dt;  // not that of one way for the next, which then depends on whose nodes have bounded the first
+    for (auto& approach : approaches_) step = std::min(step, approach.closing_step(all, moved, dt));
+    return step;
   }
   double largest_inverse_mass() const {
     double most = 0;

@@ -29,7 +29,7 @@ struct RunningItem<Part<E, M, n, R>, Method, Nodes> {
   using Material = typename Method::Bound::template Material<M>;
   using type = RunningPart<Element, Material, typename Method::Numbers::Number, Nodes, R>;
   static void place(const Part<E, M, n, R>& part, Arrangement& arrangement) {
-    arrangement.place((part.cells.size() + type::width - 1) / type::width, sizeof(typename type::Block));
+    arrangement.place(type::blocks_of(part.cells.size()), sizeof(typename type::Block));
   }
   static type start(Part<E, M, n, R>& part, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     const std::size_t mine = number++;
@@ -58,7 +58,8 @@ template <class... Items, class Method, class Nodes>
 struct RunningItem<std::variant<Items...>, Method, Nodes> {
   using type = std::variant<typename RunningItem<Items, Method, Nodes>::type...>;
   static void place(const std::variant<Items...>& item, Arrangement& arrangement) {
-    std::visit([&]<class Item>(const Item& one) { RunningItem<Item, Method, Nodes>::place(one, arrangement); }, item);
+    with_alternative(
+        item, [&]<class Item>(const Item& one, auto) { RunningItem<Item, Method, Nodes>::place(one, arrangement); });
   }
   static type start(std::variant<Items...>& item, Nodes& nodes, Arrangement& arrangement, std::size_t& number) {
     std::optional<type> started;

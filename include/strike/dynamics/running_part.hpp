@@ -50,6 +50,8 @@ class RunningPart {
   /// Particles see each other, and are born of any element.
   static constexpr bool can_be_dealt = !sees_neighbours && !is_born;
   static constexpr bool scales_mass = requires(State state) { state.mass_factor; };
+  /// Number of blocks that hold so many elements.
+  static constexpr std::size_t blocks_of(std::size_t elements) { return (elements + width - 1) / width; }
 
   /// `order` names every element once, in the order in which they are to lie in memory. With its place in the scene
   /// the part is dealt to the processes of the run, else each works on all of it.
@@ -87,7 +89,9 @@ class RunningPart {
   StableStep compute_forces(Nodes& nodes, Ledger& ledger, const Execution& execution, const Schedule& schedule) {
     if constexpr (averages_volume) {
       volume_.clear();
+      const double begin = now();
       execution.for_each(deal_.size(), [&](std::size_t k) { add_volumes(deal_.first() + k, nodes); });
+      seconds_ += now() - begin;
       volume_.exchange(deal_, ranks_);
       volume_.update(patches_);
     }
@@ -255,7 +259,7 @@ class RunningPart {
   template <class Cells>
   void lay_out(const Cells& cells, Nodes& nodes) {
     auto& blocks = elements_.blocks;
-    blocks.resize((size() + width - 1) / width);
+    blocks.resize(blocks_of(size()));
     std::vector<Index> corners;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       std::array<std::array<Index, n>, width> in_lanes;

@@ -140,13 +140,6 @@ inline std::optional<double> to_number(std::string_view field) {
 /// A whole number, which may be written 12. or 12.0.
 inline std::optional<FileNumber> to_integer(std::string_view field) {
   field = trimmed(field);
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (!field.empty() && field.size() <= 18 &&
-      std::all_of(field.begin(), field.end(), is_digit)) {  // nearly all of them
-    FileNumber value = 0;
-    for (const char c : field) value = 10 * value + (c - '0');
-    return value;
-  }
   FileNumber value = 0;
   const char* const last = field.data() + field.size();
   if (const auto [end, failure] = std::from_chars(field.data(), last, value); failure == std::errc{} && end == last)
