@@ -48,6 +48,34 @@ TEST_CASE("source: a byte-order mark and line ends of every system change nothin
       }
 }
 
+TEST_CASE("source: a number reads the same in any spelling") {
+  const auto written = [](const std::string& text, const std::string& second, const std::string& one) {
+    const bool is_msh = text.find("$Mesh") != text.npos;
+    const std::string mark = is_msh ? " " : ",", old = "\n2" + mark + "1" + mark;
+    return std::string(text).replace(text.find(old), old.size(), "\n" + second + mark + one + mark);
+  };
+  for (const std::string& text : {shell_inp, shell_k, shell_msh}) {
+    const Deck plain = read(text);
+    for (const std::string second : {"2", " 2", "\t2", "2 ", "  2  ", "+2"})
+      for (const std::string one :
+           {"1", " 1", "\t1", "1 ", "1\t", "+1", "1.", "1.0e0", "1E+0", "1D0", ".1d1", "10-1"}) {
+        CAPTURE(text, second, one);
+        const Deck deck = read(written(text, second, one));
+        CHECK(deck.mesh.nodes == plain.mesh.nodes);
+        CHECK(deck.node_numbers == plain.node_numbers);
+        CHECK(deck.mesh.quadrilaterals == plain.mesh.quadrilaterals);
+      }
+    for (const std::string wrong : {"1x", "x", "inf", "nan", "1e400", "0x1", "1e", "-", "1-", "1;0"}) {
+      CAPTURE(text, wrong);
+      CHECK_THROWS_WITH(read(written(text, "2", wrong)), ContainsSubstring("line ") && ContainsSubstring(wrong));
+    }
+    for (const std::string wrong : {"2.5", "0", "-2", "2000000000000", "99999999999999999999", "2x"}) {
+      CAPTURE(text, wrong);
+      CHECK_THROWS_WITH(read(written(text, wrong, "1")), ContainsSubstring(wrong == "0" ? "number from 1" : wrong));
+    }
+  }
+}
+
 TEST_CASE("source: what follows a byte 0 is not lost") {
   for (const std::string& text : {shell_inp, shell_k, shell_msh}) {
     std::string damaged = text;

@@ -145,14 +145,14 @@ class AbaqusReader {
     RawMesh::Set* set = nullptr;
     if (const std::string* const name = file_.find("NSET"))
       set = &abaqus::set_of(model_->raw.node_sets, model_->node_sets, abaqus::shown_label(*name), file_.line());
+    const std::size_t lines = file_.source().lines_before('*');
+    make_room(model_->raw.nodes, lines);
+    if (set) make_room(set->sequences, lines);
     std::string_view line;
     while (file_.data(line)) {
-      const FileNumber number = file_.tag(taken(line, ','), "the number of a node");
-      Eigen::Vector3d x = Eigen::Vector3d::Zero();
-      for (Eigen::Index i = 0; i < 3; ++i) {
-        const std::string_view field = trimmed(taken(line, ','));
-        if (!field.empty()) x[i] = file_.number(field, "the coordinate");
-      }
+      const FileNumber number = file_.next_tag(line, "the number of a node");
+      Eigen::Vector3d x;
+      for (double& coordinate : x) coordinate = file_.next_number(line, "the coordinate");
       if (system != 'R') x = abaqus::cartesian(x, system);
       model_->raw.nodes.push_back({number, frame_.placed(x), file_.line()});
       if (set) set->sequences.push_back({number, number, 1, file_.line()});
@@ -223,16 +223,19 @@ class AbaqusReader {
     RawMesh::Set* set = nullptr;
     if (const std::string* const name = file_.find("ELSET"))
       set = &abaqus::set_of(raw.element_sets, model_->element_sets, abaqus::shown_label(*name), file_.line());
+    const std::size_t lines = file_.source().lines_before('*');
+    make_room(raw.elements, lines);
+    if (set) make_room(set->sequences, lines);
     std::string_view line;
     while (file_.data(line)) {
-      element.number = file_.tag(taken(line, ','), "the number of an element");
+      element.number = file_.next_tag(line, "the number of an element");
       element.line = file_.line();
       const std::size_t corners = corner_count(element.shape);
       const auto next = [&](std::size_t i, std::string_view meaning, std::size_t count) {
-        if (trimmed(line).empty() && !file_.data(line))
+        if (is_blank(line) && !file_.data(line))
           file_.refuse({"element ", std::to_string(element.number), " of type ", type, " has ", std::to_string(i), " ",
                         meaning.substr(2), "s of ", std::to_string(count), ": give them all."});
-        return file_.tag(taken(line, ','), meaning);
+        return file_.next_tag(line, meaning);
       };
       for (std::size_t i = 0; i < corners; ++i) element.corners[i] = next(i, "a corner", corners);
       if (element.second != SecondOrderKind::none) {
@@ -241,7 +244,7 @@ class AbaqusReader {
         for (std::size_t i = 0; i < order.size(); ++i) mids[order[i]] = next(i, "a mid node", order.size());
         raw.set_mids(element, std::span(mids).first(order.size()));
       }
-      if (!trimmed(line).empty())
+      if (!is_blank(line))
         file_.refuse({"element ", std::to_string(element.number), " has too many corners for its type ", type,
                       ": correct the line or the type."});
       raw.elements.push_back(element);

@@ -98,45 +98,40 @@ class GmshReader {
   FileNumber size(std::string_view meaning) {
     if (is_binary_)
       return size_bytes_ == 4 ? FileNumber(binary<std::uint32_t>(meaning)) : binary<std::int64_t>(meaning);
-    return source_.integer(word(meaning), meaning);
+    return text_integer(meaning);
   }
   /// A number that is an int in binary sections.
   FileNumber integer(std::string_view meaning) {
-    if (is_binary_) return binary<std::int32_t>(meaning);
+    return is_binary_ ? binary<std::int32_t>(meaning) : text_integer(meaning);
+  }
+  FileNumber text_integer(std::string_view meaning) {
+    if (const auto plain = taken_number<FileNumber>(rest_, ' ')) return *plain;
     return source_.integer(word(meaning), meaning);
   }
   FileNumber checked_count(FileNumber n, std::string_view meaning) const {
-    if (n < 0)
-      source_.refuse(
-          {"the count of ", meaning, " ", std::to_string(n), " is negative: save the file from gmsh again."});
+    if (n < 0) source_.refuse({meaning, " ", std::to_string(n), " is negative: save the file from gmsh again."});
     return n;
   }
-  FileNumber count(std::string_view meaning) {
-    return checked_count(size(joined({"the count of ", meaning})), meaning);
-  }
+  FileNumber count(std::string_view meaning) { return checked_count(size(meaning), meaning); }
   /// A count that is text in binary files too.
-  FileNumber text_count(std::string_view meaning) {
-    const std::string whole = joined({"the count of ", meaning});
-    return checked_count(source_.integer(word(whole), whole), meaning);
-  }
+  FileNumber text_count(std::string_view meaning) { return checked_count(text_integer(meaning), meaning); }
   double number(std::string_view meaning) {
-    if (!is_binary_) return source_.number(word(meaning), meaning);
+    if (!is_binary_) {
+      if (const auto plain = taken_number<double>(rest_, ' ')) return *plain;
+      return source_.number(word(meaning), meaning);
+    }
     const double value = binary<double>(meaning);
     if (!std::isfinite(value)) source_.refuse({meaning, " is not finite: save the file from gmsh again."});
     return value;
   }
-  FileNumber checked_tag(FileNumber n, std::string_view meaning, FileNumber least) const {
-    if (n < least || n >= number_limit)
-      source_.refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
-    return n;
-  }
   /// The number of a node or an element.
   FileNumber tag(std::string_view meaning) {
-    if (!is_binary_) return source_.tag(word(meaning), meaning);
-    return checked_tag(version_ == 2 ? integer(meaning) : size(meaning), meaning, 1);
+    return source_.expect_tag(version_ == 2 ? integer(meaning) : size(meaning), meaning);
   }
   /// The number of a group or another tag, which may be negative.
-  FileNumber signed_tag(std::string_view meaning) { return checked_tag(integer(meaning), meaning, 1 - number_limit); }
+  FileNumber signed_tag(std::string_view meaning) {
+    return source_.expect_tag(integer(meaning), meaning, 1 - number_limit);
+  }
   /// Before bytes: the line of the count before them holds no more.
   void begin_bytes() {
     if (!trimmed(rest_).empty())
@@ -183,7 +178,7 @@ class GmshReader {
   }
 
   void physical_names() {
-    for (FileNumber left = text_count("names"); left > 0; --left) {
+    for (FileNumber left = text_count("the count of names"); left > 0; --left) {
       const auto integer = [&](std::string_view meaning) { return source_.integer(word(meaning), meaning); };
       FileNumber dimension = -1, number = integer("the dimension of a group");
       if (!trimmed(rest_).starts_with('"'))  // version 2.0 has none
@@ -202,11 +197,11 @@ class GmshReader {
   void entities(bool of_partitions) {
     if (of_partitions) {
       size("the count of partitions");
-      for (FileNumber ghosts = count("ghost entities"); ghosts > 0; --ghosts)
+      for (FileNumber ghosts = count("the count of ghost entities"); ghosts > 0; --ghosts)
         integer("a ghost entity"), integer("the partition of a ghost entity");
     }
     std::array<FileNumber, 4> counts;
-    for (FileNumber& of_dimension : counts) of_dimension = count("entities");
+    for (FileNumber& of_dimension : counts) of_dimension = count("the count of entities");
     for (const FileNumber dimension : {0, 1, 2, 3})
       for (FileNumber left = counts[static_cast<std::size_t>(dimension)]; left > 0; --left) {
         const FileNumber entity = integer("the number of an entity");
@@ -214,25 +209,31 @@ class GmshReader {
           const FileNumber dimension_of_whole = integer("the dimension of a whole entity"),
                            whole = integer("the number of a whole entity");
           if (dimension_of_whole == dimension) wholes_[{dimension, entity}] = whole;
-          for (FileNumber parts = count("partitions"); parts > 0; --parts) integer("a partition");
+          for (FileNumber parts = count("the count of partitions"); parts > 0; --parts) integer("a partition");
         }
         for (int i = 0; i < (dimension == 0 && version_ == 41 ? 3 : 6); ++i) number("a bound of an entity");
-        for (FileNumber groups = count("groups"); groups > 0; --groups)
+        for (FileNumber groups = count("the count of groups"); groups > 0; --groups)
           physicals_[{dimension, entity}].push_back(
               std::abs(signed_tag("the number of a group")));  // negative: turned over
         if (dimension > 0)
-          for (FileNumber bounds = count("bounds"); bounds > 0; --bounds) integer("a bounding entity");
+          for (FileNumber bounds = count("the count of bounds"); bounds > 0; --bounds) integer("a bounding entity");
       }
   }
 
+  /// Makes room for as many as are announced and the file can hold, in which each takes 8 bytes at least.
+  template <class T>
+  void make_room_for(FileNumber announced, std::vector<T>& all) const {
+    make_room(all, std::min(static_cast<std::size_t>(announced), source_.bytes_left() / 8));
+  }
   void expect(FileNumber announced, FileNumber read, std::string_view things) const {
     if (announced != read)
       source_.refuse({"the section announces ", std::to_string(announced), " ", things, " and has ",
                       std::to_string(read), ": save the file from gmsh again."});
   }
   void nodes() {
-    FileNumber blocks = count("blocks");
-    const FileNumber announced = count("nodes");
+    FileNumber blocks = count("the count of blocks");
+    const FileNumber announced = count("the count of nodes");
+    make_room_for(announced, raw_.nodes);
     const std::size_t before = raw_.nodes.size();
     for (int i = 0; i < 2; ++i) size("a number of a node");
     for (; blocks > 0; --blocks) {
@@ -241,7 +242,7 @@ class GmshReader {
       const FileNumber parameters =
           integer("whether the nodes are parametric,") != 0 ? std::clamp<FileNumber>(dimension, 0, 3) : 0;
       const std::size_t first = raw_.nodes.size();
-      for (FileNumber left = count("nodes"); left > 0; --left)
+      for (FileNumber left = count("the count of nodes"); left > 0; --left)
         raw_.nodes.push_back({tag("the number of a node"), Eigen::Vector3d::Zero(), source_.line()});
       for (std::size_t n = first; n < raw_.nodes.size(); ++n) {
         raw_.nodes[n].x = position();
@@ -251,15 +252,16 @@ class GmshReader {
     expect(announced, static_cast<FileNumber>(raw_.nodes.size() - before), "nodes");
   }
   void nodes_of_40() {
-    FileNumber blocks = count("blocks");
-    const FileNumber announced = count("nodes");
+    FileNumber blocks = count("the count of blocks");
+    const FileNumber announced = count("the count of nodes");
+    make_room_for(announced, raw_.nodes);
     const std::size_t before = raw_.nodes.size();
     for (; blocks > 0; --blocks) {
       integer("the entity of a block");
       const FileNumber dimension = integer("the dimension of a block");
       const FileNumber parameters =
           integer("whether the nodes are parametric,") != 0 && (dimension == 1 || dimension == 2) ? dimension : 0;
-      for (FileNumber left = count("nodes"); left > 0; --left) {
+      for (FileNumber left = count("the count of nodes"); left > 0; --left) {
         const FileNumber number_of_node = tag("the number of a node");
         raw_.nodes.push_back({number_of_node, position(), source_.line()});
         for (FileNumber i = 0; i < parameters; ++i) number("a parameter");
@@ -268,7 +270,8 @@ class GmshReader {
     expect(announced, static_cast<FileNumber>(raw_.nodes.size() - before), "nodes");
   }
   void nodes_of_2(bool parametric) {
-    FileNumber left = text_count("nodes");
+    FileNumber left = text_count("the count of nodes");
+    make_room_for(left, raw_.nodes);
     if (is_binary_) begin_bytes();
     for (; left > 0; --left) {
       const FileNumber number = tag("the number of a node");
@@ -282,15 +285,16 @@ class GmshReader {
   }
 
   void elements() {
-    FileNumber blocks = count("blocks"), read = 0;
-    const FileNumber announced = count("elements");
+    FileNumber blocks = count("the count of blocks"), read = 0;
+    const FileNumber announced = count("the count of elements");
+    make_room_for(announced, raw_.elements);
     if (version_ == 41)
       for (int i = 0; i < 2; ++i) size("a number of an element");
     for (; blocks > 0; --blocks) {
       FileNumber dimension = integer("the dimension of a block"), entity = integer("the entity of a block");
       if (version_ == 40) std::swap(dimension, entity);
       const FileNumber type = integer("the type of elements");
-      for (FileNumber left = count("elements"); left > 0; --left, ++read) {
+      for (FileNumber left = count("the count of elements"); left > 0; --left, ++read) {
         const FileNumber number = tag("the number of an element");
         element(number, type, entity, 0);
       }
@@ -298,19 +302,22 @@ class GmshReader {
     expect(announced, read, "elements");
   }
   void elements_of_2() {
-    for (FileNumber left = text_count("elements"); left > 0; --left) {
+    FileNumber left = text_count("the count of elements");
+    make_room_for(left, raw_.elements);
+    for (; left > 0; --left) {
       const FileNumber number = tag("the number of an element"), type = integer("the type of the element");
-      tagged_element(number, type, count("tags"));
+      tagged_element(number, type, count("the count of tags"));
     }
   }
   /// Blocks of elements of one type, with as many tags.
   void binary_elements_of_2() {
-    FileNumber left = text_count("elements");
+    FileNumber left = text_count("the count of elements");
+    make_room_for(left, raw_.elements);
     begin_bytes();
     while (left > 0) {
       const FileNumber type = integer("the type of elements"),
-                       in_block = checked_count(integer("the count of elements"), "elements"),
-                       tags = checked_count(integer("the count of tags"), "tags");
+                       in_block = checked_count(integer("the count of elements"), "the count of elements"),
+                       tags = checked_count(integer("the count of tags"), "the count of tags");
       if (in_block > left)
         source_.refuse({"a block announces ", std::to_string(in_block), " elements, and the section has ",
                         std::to_string(left), " left: save the file from gmsh again."});

@@ -108,6 +108,12 @@ class Allowance {
   std::size_t taken_ = 0;
 };
 
+/// Makes room for so many more, and at least for twice as many: however often it is called, little is copied.
+template <class T>
+void make_room(std::vector<T>& all, std::size_t more) {
+  if (all.capacity() - all.size() < more) all.reserve(std::max(all.size() + more, 2 * all.capacity()));
+}
+
 /// Input of the readers by the numbers of the file; `finished` makes a deck of it.
 struct RawMesh {
   /// Numbers are unique in their scope: an instance of a part, or the solids and the shells of LS-DYNA.
@@ -523,10 +529,13 @@ inline Finished finished(RawMesh raw, const Source& source) {
   using Shape = RawMesh::Shape;
   Finished result{.allowance = Allowance(source)};
   Deck& deck = result.deck;
-  std::vector<FileNumber> numbers;
-  numbers.reserve(raw.nodes.size());
-  for (const RawMesh::Node& node : raw.nodes) numbers.push_back(node.number);
-  result.file_nodes = Numbering(std::move(numbers));
+  const auto numbering = [](const auto& nodes_or_elements) {
+    std::vector<FileNumber> numbers;
+    numbers.reserve(nodes_or_elements.size());
+    for (const auto& each : nodes_or_elements) numbers.push_back(each.number);
+    return Numbering(std::move(numbers));
+  };
+  result.file_nodes = numbering(raw.nodes);
   if (raw.repeats_nodes && result.file_nodes.twice() != nothing) {
     const auto is_again = [&](std::size_t n) {
       const Index first = result.file_nodes.find(raw.nodes[n].number);
@@ -536,9 +545,7 @@ inline Finished finished(RawMesh raw, const Source& source) {
     for (std::size_t n = 0; n < raw.nodes.size(); ++n)
       if (!is_again(n)) once.push_back(raw.nodes[n]);
     raw.nodes = std::move(once);
-    numbers.clear();
-    for (const RawMesh::Node& node : raw.nodes) numbers.push_back(node.number);
-    result.file_nodes = Numbering(std::move(numbers));
+    result.file_nodes = numbering(raw.nodes);
   }
   if (const Index n = result.file_nodes.twice(); n != nothing) {
     const RawMesh::Node& twin = raw.nodes[result.file_nodes.find(raw.nodes[n].number)];
@@ -565,11 +572,9 @@ inline Finished finished(RawMesh raw, const Source& source) {
                        ", which is not in the file: define it or correct the element."}));
     }
     if (element.second != SecondOrderKind::none && cutter.cut(place, cell.corners, cells, result.cut_faces)) continue;
-    std::array<Index, 8> sorted = cell.corners;
-    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count);
-    std::sort(sorted.begin(), end);
-    const auto different = static_cast<std::size_t>(std::unique(sorted.begin(), end) - sorted.begin());
     auto& c = cell.corners;
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < count; ++i) different += std::find(&c[0], &c[i], c[i]) == &c[i];
     if (cell.shape == Shape::hexahedron && different == 4 && folds_to_tetrahedron(c))
       cell.shape = Shape::tetrahedron;
     else if (cell.shape == Shape::quadrilateral && different == 3 && c[0] != c[2] && c[1] != c[3]) {
@@ -579,13 +584,14 @@ inline Finished finished(RawMesh raw, const Source& source) {
       c = wedge_cell<Index>({c[0], c[1], c[2], c[3], c[4], c[5]}), cell.shape = Shape::hexahedron;
     else if (cell.shape == Shape::pyramid && different == 5)
       c = pyramid_cell<Index>({c[0], c[1], c[2], c[3], c[4]}), cell.shape = Shape::hexahedron;
-    else if (const auto canonical = canonical_hexahedron(c); cell.shape == Shape::hexahedron && canonical)
+    else if (cell.shape == Shape::hexahedron && (different == 6 || different == 5)) {
+      const auto canonical = canonical_hexahedron(c);
+      if (!canonical)
+        refuse(joined({"has ", std::to_string(different),
+                       " different corners, but repeats them otherwise than a wedge, a b c d e e f f, or a pyramid, "
+                       "a b c d e e e e: correct it."}));
       c = *canonical;
-    else if (cell.shape == Shape::hexahedron && (different == 6 || different == 5))
-      refuse(joined({"has ", std::to_string(different),
-                     " different corners, but repeats them otherwise than a wedge, a b c d e e f f, or a pyramid, "
-                     "a b c d e e e e: correct it."}));
-    else if (different != count)
+    } else if (different != count)
       refuse(joined({"has ", std::to_string(different), " different corners of ", std::to_string(count),
                      ": take it out or correct it."}));
     cells.push_back(cell);
@@ -619,6 +625,8 @@ inline Finished finished(RawMesh raw, const Source& source) {
   result.place.assign(raw.nodes.size(), nothing);
   FileNumber orphan = 0;
   std::size_t orphans = 0, lost = 0;
+  const auto used_nodes = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  deck.mesh.nodes.reserve(used_nodes), deck.node_numbers.reserve(used_nodes);
   for (std::size_t n = 0; n < raw.nodes.size(); ++n)
     if (used[n]) {
       result.place[n] = static_cast<Index>(deck.mesh.nodes.size());
@@ -636,9 +644,12 @@ inline Finished finished(RawMesh raw, const Source& source) {
     Index first = nothing, count = 0;
   };
   std::vector<Pieces> cell_places(raw.elements.size());
+  deck.cell_numbers.reserve(cells.size());
   const auto add = [&]<std::size_t N>(Cells<N>& list, Shape shape) {
+    const auto belongs = [&](const FiledCell& cell) { return cell.shape == shape && !cell.is_mark; };
+    list.reserve(static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), belongs)));
     for (std::size_t e = 0; e < cells.size(); ++e) {
-      if (cells[e].shape != shape || cells[e].is_mark) continue;
+      if (!belongs(cells[e])) continue;
       std::array<Index, N> corners;
       for (std::size_t i = 0; i < N; ++i) corners[i] = result.place[cells[e].corners[i]];
       list.push_back(corners);
@@ -657,9 +668,7 @@ inline Finished finished(RawMesh raw, const Source& source) {
   add(deck.mesh.quadrilaterals, Shape::quadrilateral);
   add(deck.mesh.triangles, Shape::triangle);
 
-  numbers.clear();
-  for (const RawMesh::Element& element : raw.elements) numbers.push_back(element.number);
-  const Numbering file_elements(std::move(numbers));
+  const Numbering file_elements = numbering(raw.elements);
   if (const Index e = file_elements.twice(); e != nothing) {
     const RawMesh::Element& twin = raw.elements[file_elements.find(raw.elements[e].number)];
     source.refuse(raw.elements[e].line, {"element ", std::to_string(twin.number % RawMesh::scope), " is on line ",

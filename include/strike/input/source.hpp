@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -87,6 +88,10 @@ inline std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+inline bool is_blank(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return is_blank(c); });
+}
+
 inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 inline std::string upper(std::string_view text) {
@@ -105,6 +110,20 @@ inline std::string_view taken(std::string_view& text, char mark) {
   const std::string_view head = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
   return head;
+}
+
+/// Removes a number as C++ writes it and the mark behind it; nothing is removed if the text begins otherwise.
+template <class Number>
+std::optional<Number> taken_number(std::string_view& text, char mark) {
+  const char *first = text.data(), *const last = first + text.size();
+  while (first != last && *first == ' ') ++first;
+  Number value{};
+  const auto [end, failure] = std::from_chars(first, last, value);
+  if (failure != std::errc{} || (end != last && *end != mark)) return std::nullopt;
+  if constexpr (std::is_floating_point_v<Number>)
+    if (!std::isfinite(value)) return std::nullopt;
+  text = {end == last ? end : end + 1, last};
+  return value;
 }
 
 /// A finite number in any of the ways of C and Fortran: 1e-3, 1.0D+3, 1.5-3.
@@ -217,6 +236,11 @@ class Source {
   char peek() const { return current_.rest.empty() ? '\0' : current_.rest.front(); }
   /// The next line, which is next again.
   std::string_view peek_line() const { return current_.rest.substr(0, current_.rest.find(current_.end_of_line)); }
+  /// About how many lines there are before the next mark, if all are as long as the next one.
+  std::size_t lines_before(char mark) const {
+    const std::size_t bytes = std::min(current_.rest.find(mark), current_.rest.size());
+    return 1 + bytes / std::max<std::size_t>(peek_line().size(), 16);
+  }
   /// True if the next line, after blanks, starts with the text.
   bool next_begins_with(std::string_view mark) const {
     const std::size_t first = current_.rest.find_first_not_of(" \t");
@@ -293,7 +317,9 @@ class Source {
   }
   /// The number of a node, element, part or set, within its bounds.
   FileNumber tag(std::string_view field, std::string_view meaning, FileNumber least = 1) const {
-    const FileNumber n = integer(field, meaning);
+    return expect_tag(integer(field, meaning), meaning, least);
+  }
+  FileNumber expect_tag(FileNumber n, std::string_view meaning, FileNumber least = 1) const {
     if (n < least || n >= number_limit)
       refuse({meaning, " ", std::to_string(n), " is out of bounds: number from 1 to 10^12."});
     return n;

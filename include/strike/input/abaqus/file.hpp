@@ -105,17 +105,17 @@ class File {
   bool raw_data(std::string_view& line) {
     if (!input_is_open_) open_input();
     while (more()) {
-      const bool comment = source_.next_begins_with("**");
-      if (!comment && source_.next_begins_with("*")) {
-        if (!next_is_include()) return false;
-        include();
-        continue;
-      }
-      source_.next(line);
-      if (comment)
+      if (!source_.next_begins_with("*")) {
+        source_.next(line);
+        if (!is_blank(line)) return true;
+      } else if (source_.next_begins_with("**")) {
+        source_.next(line);
         is_of_gmsh_ |= line.starts_with("******* E L E M E N T S");
-      else if (!trimmed(line).empty())
-        return true;
+      } else if (next_is_include()) {
+        include();
+      } else {
+        return false;
+      }
     }
     return false;
   }
@@ -130,6 +130,16 @@ class File {
   }
   FileNumber tag(std::string_view text, std::string_view meaning, FileNumber least = 1) const {
     return source_.tag(text, meaning, least);
+  }
+  /// The number of a node or an element at the start of a line, which loses it.
+  FileNumber next_tag(std::string_view& line, std::string_view meaning) const {
+    if (const auto plain = taken_number<FileNumber>(line, ',')) return source_.expect_tag(*plain, meaning);
+    return source_.tag(taken(line, ','), meaning);
+  }
+  /// A number at the start of a line, which loses it: 0 where nothing is written.
+  double next_number(std::string_view& line, std::string_view meaning) const {
+    if (const auto plain = taken_number<double>(line, ',')) return *plain;
+    return number_or(taken(line, ','), 0, meaning);
   }
   FileNumber tag_or(std::string_view text, FileNumber otherwise, std::string_view meaning, FileNumber least = 1) const {
     text = trimmed(text);
