@@ -18,7 +18,6 @@
 #include "support/frame.hpp"
 
 using namespace strike;
-using testing::Frame;
 
 namespace {
 
@@ -28,7 +27,7 @@ const Homogeneous section{PlaneStress{Elastic{2.7e-6, 70, 0.3}}, thickness};
 
 /// A ball of water over the middle of a plate, that much above touching it, and what belongs to it.
 struct Struck {
-  Frame frame;
+  testing::Frame frame;
   double gap = 0.1;
   Mesh mesh = sheet({6, 6}, [](double s, double t) { return Eigen::Vector3d(12 * s, 12 * t, 0); });
   std::vector<Index> ball = {}, edge = nodes_where(mesh.nodes, [](const Eigen::Vector3d& x) {
@@ -36,7 +35,7 @@ struct Struck {
                                 });
   double spacing = 0;
 
-  explicit Struck(const Frame& of = {}) : frame(of) {
+  explicit Struck(const testing::Frame& of = {}) : frame(of) {
     Mesh drop = particles(SphereShape{.radius = 2.5}, 6);
     spacing = std::cbrt(drop.particles.volumes[0]);
     double lowest = 0;
@@ -77,7 +76,7 @@ TEST_CASE("contact: particles touch at half their spacing, by Everything as by a
   CHECK(nearest > 0.45 * (thickness + struck.spacing));
 
   const auto everything = struck.run_with(Contact{Everything{}});
-  Frame frame;
+  testing::Frame frame;
   frame.turn = Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, 0.3, -0.5).normalized()).toRotationMatrix();
   frame.shift = {3, -20, 11};
   const auto turned = Struck(frame).run_with(Contact{Everything{}});

@@ -9,6 +9,7 @@
 #include <strike/contact/contact.hpp>
 #include <strike/element/hex8.hpp>
 #include <strike/load/initial_velocity.hpp>
+#include <strike/load/support.hpp>
 #include <strike/mesh/surface.hpp>
 #include <strike/mesh/transform.hpp>
 #include <strike/motion/openmp.hpp>
@@ -57,6 +58,35 @@ TEST_CASE("contact gives the same bits for any number of threads") {
   CHECK(serial == after(OpenMP{1}));
   CHECK(serial == after(OpenMP{2}));
   CHECK(serial == after(OpenMP{5}));
+}
+
+TEST_CASE(
+    "where hundreds of nodes strike at once, cut at a mirror, every law gives the same bits for any number of "
+    "threads") {
+  const Mesh lower = box({.size = {1, 1, 0.2}, .cells = {17, 17, 2}});
+  Mesh mesh = lower;
+  std::vector<Index> upper, cut;
+  for (Index i = append(mesh, translated(lower, {0, 0, 0.2})); i < mesh.nodes.size(); ++i) upper.push_back(i);
+  for (Index i = 0; i < mesh.nodes.size(); ++i)
+    if (mesh.nodes[i].x() == 0) cut.push_back(i);
+  const auto check = [&](const auto& law, const auto& friction) {
+    const auto after = [&](auto execution) {
+      Explicit run{
+          Scene{mesh.nodes, Part{Hex8{}, Elastic{1000, 1e9, 0.3}, mesh.hexahedra}, Contact{Everything{}, law, friction},
+                Support{cut, {Eigen::Vector3d::UnitX()}}, InitialVelocity{{0, 5, -20}, upper}},
+          {},
+          execution};
+      std::size_t most = 0;
+      for (int n = 0; n < 20; ++n) run.step(), most = std::max(most, run.template contact<0>().pairs().size());
+      CHECK(most > 512);  // which several threads share
+      return run.positions();
+    };
+    const auto serial = after(Serial{});
+    for (const int threads : {1, 2, 3, 8}) CHECK(serial == after(OpenMP{threads}));
+  };
+  check(Kinematic{}, Frictionless{});
+  check(Kinematic{}, Coulomb{0.2});
+  check(Penalty{}, Coulomb{0.2});
 }
 
 TEST_CASE("edges that cross give the same bits for any number of threads") {

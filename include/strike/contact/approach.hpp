@@ -76,14 +76,10 @@ class Approach {
     near_.update(all, nodes_, faces_, step.dt, never(), execution);
     const auto ranks = ranks_of(execution);
     mine_ = nodes_.size() < least_dealt ? Turns{} : Turns(ranks);
-    choose_nodes(rounding);
     last_.swap(touches_), touches_.clear();
-    found_.resize((chosen_.size() + per_chunk - 1) / per_chunk);
-    for_each_leaping(execution, found_.size(), [&](std::size_t c) {
-      found_[c].clear();
-      for (std::size_t k = c * per_chunk; k < std::min((c + 1) * per_chunk, chosen_.size()); ++k)
-        visit(chosen_[k], all, step.dt, rounding, found_[c]);
-    });
+    found_.resize(std::max<std::size_t>((near_.awake().size() + per_chunk - 1) / per_chunk, 1));
+    for_each_unlike(execution, found_.size(),
+                    [&](std::size_t c) { visit_chunk(c, all, step.dt, rounding, found_[c]); });
     const std::size_t first_pair = pairs.size();
     const auto take = [&](const FoundTouches& found) {
       if (const auto& deep = found.too_deep)
@@ -157,42 +153,43 @@ class Approach {
  private:
   static constexpr std::size_t most_touches = 3;  // of a node, in the inner corner of three faces
 
-  /// A node that touches or may come to touch, by its place in the list, with its touches of the last step.
-  struct Chosen {
-    Index node;
-    std::size_t first, last;
-  };
-  static constexpr std::size_t per_chunk = 64;
+  static constexpr std::size_t per_chunk = 32;     // of nodes that are awake
   static constexpr std::size_t least_dealt = 256;  // nodes that are worth an exchange
 
-  void choose_nodes(const Rounding& rounding) {
-    chosen_.clear();
-    std::size_t touch = 0;
-    const auto choose = [&](Index s) {
-      const std::size_t first = touch;
-      while (touch < touches_.size() && touches_[touch].node == s) ++touch;
-      if (mine_.has(s)) chosen_.push_back({s, first, touch});
+  /// Visits the nodes from the first of a chunk of awake ones to the next chunk: those that touch, and those that are
+  /// awake and have a face that does not rest.
+  void visit_chunk(std::size_t c, const ContactNodes& all, double dt, const Rounding& rounding, FoundTouches& found) {
+    found.clear();
+    const std::vector<Index>& awake = near_.awake();
+    const std::size_t first = c * per_chunk, last = std::min(first + per_chunk, awake.size());
+    const Index end = last < awake.size() ? awake[last] : static_cast<Index>(nodes_.size());
+    const auto before = [](const Touch& touch, Index s) { return touch.node < s; };
+    auto touch = c == 0 ? last_.begin() : std::lower_bound(last_.begin(), last_.end(), awake[first], before);
+    const auto visit_next = [&](Index s) {
+      const auto from = touch;
+      while (touch != last_.end() && touch->node == s) ++touch;
+      if (mine_.has(s)) visit(s, std::span(from, touch), all, dt, rounding, found);
     };
-    const auto choose_touches_before = [&](Index s) {
-      while (touch < touches_.size() && touches_[touch].node < s) choose(touches_[touch].node);
+    const auto visit_touches_before = [&](Index s) {
+      while (touch != last_.end() && touch->node < s) visit_next(touch->node);
     };
-    for (const Index s : near_.awake())
-      if (!near_.rests(s) || rounding.has(nodes_[s])) choose_touches_before(s), choose(s);
-    choose_touches_before(static_cast<Index>(nodes_.size()));
+    for (std::size_t k = first; k < last; ++k)
+      if (const Index s = awake[k]; !near_.rests(s) || rounding.has(nodes_[s])) visit_touches_before(s), visit_next(s);
+    visit_touches_before(end);
   }
   /// Follows the touches of a node and begins others.
-  void visit(const Chosen& chosen, const ContactNodes& all, double dt, const Rounding& rounding, FoundTouches& found) {
+  void visit(Index s, std::span<const Touch> before, const ContactNodes& all, double dt, const Rounding& rounding,
+             FoundTouches& found) {
     const std::size_t first = found.touches.size(), gone_past = found.gone_past.size();
-    for (std::size_t k = chosen.first; k < chosen.last; ++k) follow(last_[k], first, all, dt, found);
-    const bool comes_round = found.gone_past.size() > gone_past || rounding.has(nodes_[chosen.node]);
+    for (const Touch& touch : before) follow(touch, first, all, dt, found);
+    const bool comes_round = found.gone_past.size() > gone_past || rounding.has(nodes_[s]);
     // Faces rest only as long as the touches stay on theirs.
-    const auto before = std::span(last_).subspan(chosen.first, chosen.last - chosen.first),
-               now = std::span(found.touches).subspan(first);
+    const auto now = std::span(found.touches).subspan(first);
     bool look_at_all = comes_round || !std::equal(before.begin(), before.end(), now.begin(), now.end(),
                                                   [](const Touch& a, const Touch& b) { return a.face == b.face; });
-    if (!look_at_all && near_.rests(chosen.node)) return;
+    if (!look_at_all && near_.rests(s)) return;
     while (found.touches.size() < first + most_touches &&
-           begins_touch(chosen.node, first, all, dt, comes_round, look_at_all, found)) {
+           begins_touch(s, first, all, dt, comes_round, look_at_all, found)) {
       look_at_all = true;
     }
   }
@@ -298,7 +295,6 @@ class Approach {
   std::vector<Index> nodes_;
   TouchedFaces faces_;
   std::vector<Touch> touches_, last_;  // of this step and of the last, in the order of their nodes
-  std::vector<Chosen> chosen_;         // in this step
   std::vector<FoundTouches> found_;    // by their chunks
   std::vector<double> edge_;           // the least of the cells of every ContactNode at the start [length]
   double least_edge_ = 0;              // of those and the size of the faces [length]

@@ -1,11 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -20,9 +19,9 @@
 
 namespace strike::detail {
 
-/// Pairs that share nodes, whose impulses change each other's velocities. They stand in blocks, and blocks of a colour
-/// share no node: these are served side by side, colour after colour, so that no result depends on threads. The
-/// velocities are its own until `end`.
+/// Pairs that share nodes, whose impulses change each other's velocities. Pairs are served side by side, each of which
+/// writes what is its own; then nodes, each of which collects from its pairs in their order: no result depends on
+/// threads. The velocities are its own until `end`.
 class CoupledPairs {
  public:
   template <class Execution>
@@ -30,34 +29,23 @@ class CoupledPairs {
       : nodes_(nodes), pairs_(pairs), rows_(pairs.size()) {
     number_nodes();
     velocity_.resize(number_.size());
-    for_each_chunk(execution, number_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) velocity_[k] << nodes.v[number_[k]], nodes.inverse_mass(number_[k]);
-    });
+    each_node(execution, [&](std::size_t k) { velocity_[k] << nodes.v[number_[k]], nodes.inverse_mass(number_[k]); });
     if (!on_bodies_.empty()) given_.assign(pairs.size(), Eigen::Vector3d::Zero());
   }
   /// Gives the velocities to the nodes.
   template <class Execution>
   void end(ContactNodes& nodes, const Execution& execution) const {
-    for_each_chunk(execution, number_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) nodes.v[number_[k]] = velocity_[k].head<3>();
-    });
+    each_node(execution, [&](std::size_t k) { nodes.v[number_[k]] = velocity_[k].head<3>(); });
   }
 
   /// The normal velocity of the points of pair p relative to each other, and the whole of it.
   double approach(std::size_t p) const { return rows_[p].normal.dot(sum(p)); }
   Eigen::Vector3d velocity(std::size_t p) const { return sum(p).head<3>(); }
-  /// Changes the velocities of its nodes by an impulse on the pair, or by J along its normal [force time].
-  void give(std::size_t p, const Eigen::Vector3d& impulse) {
-    give(p, Eigen::Vector4d(impulse[0], impulse[1], impulse[2], 0));
-  }
-  void give(std::size_t p, double J) { give(p, Eigen::Vector4d(J * rows_[p].normal)); }
 
-  /// Calls f(p) for all pairs, which may write to their nodes, but to those of rigid bodies.
+  /// Calls f(p) for all pairs.
   template <class Execution, class F>
-  void each(const Execution& execution, const F& f) {
-    for (const auto& colour : colours_)
-      side_by_side(execution, colour.size(), [&](std::size_t k) { each_of_block(colour[k], f); });
-    if (!on_bodies_.empty()) move_bodies();
+  void each(const Execution& execution, const F& f) const {
+    side_by_side(execution, blocks(rows_.size()), [&](std::size_t b) { each_of_block(b, f); });
   }
   /// Calls f(p) for the pairs that have nodes of rigid bodies, one after the other.
   template <class F>
@@ -66,11 +54,50 @@ class CoupledPairs {
   }
   /// The largest f(p) of all pairs.
   template <class Execution, class F>
-  double largest(const Execution& execution, const F& f) {
-    std::vector<double> most(blocks(), 0.0);
-    side_by_side(execution, blocks(),
+  double largest(const Execution& execution, const F& f) const {
+    std::vector<double> most(blocks(rows_.size()), 0.0);
+    side_by_side(execution, most.size(),
                  [&](std::size_t b) { each_of_block(b, [&](std::size_t p) { most[b] = std::max(most[b], f(p)); }); });
     return most.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
+  }
+
+  /// Changes the velocities by the impulse of each pair, a number along its normal or a vector [force time].
+  template <class Execution, class Impulse>
+  void give(const Execution& execution, const std::vector<Impulse>& impulses) {
+    each_node(execution, [&](std::size_t k) {
+      if (is_rigid(k)) return;
+      Eigen::Vector4d impulse = Eigen::Vector4d::Zero();
+      for (const Share& share : shares(k)) impulse += share.weight * vector(share.pair, impulses[share.pair]);
+      Eigen::Vector4d& v = velocity_[k];
+      if (is_held_[k]) impulse.head<3>() = nodes_.free(number_[k], impulse.head<3>());
+      v += v[3] * impulse;
+    });
+    for (const std::size_t p : on_bodies_) given_[p] += vector(p, impulses[p]).template head<3>();
+    if (!on_bodies_.empty()) move_bodies();
+  }
+  /// Calls f(node, impulse) for the nodes of pairs with what they get by the impulse of each pair.
+  template <class Execution, class Impulse, class F>
+  void each_share(const Execution& execution, const std::vector<Impulse>& impulses, const F& f) const {
+    each_node(execution, [&](std::size_t k) {
+      Eigen::Vector4d impulse = Eigen::Vector4d::Zero();
+      for (const Share& share : shares(k)) impulse += share.weight * vector(share.pair, impulses[share.pair]);
+      f(number_[k], Eigen::Vector3d(impulse.head<3>()));
+    });
+  }
+  /// For each node the sum of f(node, p, weight) over its pairs, by places that largest_at_nodes() knows.
+  template <class Execution, class F>
+  std::vector<double> sums_at_nodes(const Execution& execution, const F& f) const {
+    std::vector<double> sums(number_.size(), 0.0);
+    each_node(execution, [&](std::size_t k) {
+      for (const Share& share : shares(k)) sums[k] += f(number_[k], share.pair, share.weight);
+    });
+    return sums;
+  }
+  /// The largest of them at the nodes of pair p.
+  double largest_at_nodes(const std::vector<double>& sums, std::size_t p) const {
+    double most = 0;
+    for (const Index k : rows_[p].nodes) most = std::max(most, sums[k]);
+    return most;
   }
 
   /// The impulses of all pairs together, numbers along their normals or vectors, from those that they have got: each is
@@ -86,13 +113,14 @@ class CoupledPairs {
     std::vector<double> inverse(response.size());
     for (std::size_t p = 0; p < response.size(); ++p) inverse[p] = 1 / response[p];
     std::vector<Impulse> at = impulses, next = impulses;  // the velocities are those of `at`
-    std::vector<OfBlock> of_block(blocks());
+    std::vector<Eigen::Vector4d> more(impulses.size());
+    std::vector<OfBlock> of_block(blocks(rows_.size()));
     // All that a block calls in one function: its loops take most of the time.
     const auto ask = [&](std::size_t b) __attribute__((__flatten__)) {
       OfBlock sum;
-      for (std::size_t i = 0; i < per_block; ++i) {
-        const std::size_t p = first(b) + apart(i);
-        if (p >= last(b) || !(response[p] > 0)) continue;
+      for (std::size_t i = first(b); i < last(b, order_.size()); ++i) {
+        const std::size_t p = order_[i];
+        if (!(response[p] > 0)) continue;
         next[p] = allowed(p, Impulse(at[p] + inverse[p] * missing(p)));
         const Impulse back = at[p] - next[p];
         sum.missed = std::max(sum.missed, response[p] * size(back));
@@ -102,7 +130,7 @@ class CoupledPairs {
     };
     double momentum = 1;
     for (int iteration = 1; iteration <= most; ++iteration) {
-      side_by_side(execution, blocks(), ask);
+      side_by_side(execution, of_block.size(), ask);
       OfBlock all;
       for (const OfBlock& sum : of_block) all.missed = std::max(all.missed, sum.missed), all.turned += sum.turned;
       const bool ends = !(all.missed > enough) || iteration == most;
@@ -112,9 +140,9 @@ class CoupledPairs {
       const double beyond = ends ? 0 : (before - 1) / momentum;
       each(execution, [&](std::size_t p) {
         const Impulse there = next[p] + beyond * (next[p] - impulses[p]);
-        give(p, Impulse(there - at[p]));
-        impulses[p] = next[p], at[p] = there;
+        more[p] = vector(p, Impulse(there - at[p])), impulses[p] = next[p], at[p] = there;
       });
+      give(execution, more);
       if (ends) return;
     }
   }
@@ -132,6 +160,11 @@ class CoupledPairs {
     std::array<double, 5> weights;
     std::array<Index, 5> nodes;  // by their places among those of all pairs
     bool is_held, is_on_body, yields;
+  };
+  /// What a node has in a pair.
+  struct Share {
+    std::size_t pair;
+    double weight;
   };
 
   static double size(double J) { return std::abs(J); }
@@ -151,8 +184,17 @@ class CoupledPairs {
   /// Calls f(p) for the pairs of a block.
   template <class F>
   void each_of_block(std::size_t b, const F& f) const {
-    for (std::size_t i = 0; i < per_block; ++i)
-      if (const std::size_t p = first(b) + apart(i); p < last(b)) f(p);
+    for (std::size_t i = first(b); i < last(b, order_.size()); ++i) f(order_[i]);
+  }
+  /// Calls f(k) for the nodes, by their places.
+  template <class Execution, class F>
+  void each_node(const Execution& execution, const F& f) const {
+    side_by_side(execution, blocks(number_.size()), [&](std::size_t b) {
+      for (std::size_t k = first(b); k < last(b, number_.size()); ++k) f(k);
+    });
+  }
+  std::span<const Share> shares(std::size_t k) const {
+    return std::span(shares_).subspan(first_share_[k], first_share_[k + 1] - first_share_[k]);
   }
 
   /// For each pair p a bound D of what impulses do to it [1/mass], so that D - A is positive semidefinite, where A_pq
@@ -160,32 +202,36 @@ class CoupledPairs {
   /// each pair (Perron): w_p if it shares no node, and the same for a model cut at a plane of symmetry.
   template <bool along_normals, class Execution>
   std::vector<double> responses(const Execution& execution) {
-    std::vector<double> of_pair(rows_.size()), at_node(number_.size(), 0.0);
+    std::vector<double> of_pair(rows_.size());
     const std::vector<OnBody> on_bodies = responses_of_bodies<along_normals>();
     for (const OnBody& on : on_bodies) of_pair[on.pair] += on.response * on.response;
     each(execution, [&](std::size_t p) {
+      const Row& row = rows_[p];
       double own = 0, free = 0;
-      each_response<along_normals>(rows_[p], [&](std::size_t k, double a) {
-        own += a * a;
-        if (!is_rigid(rows_[p].nodes[k]))
-          free += rows_[p].weights[k] * rows_[p].weights[k] * velocity_[rows_[p].nodes[k]][3];
-      });
-      of_pair[p] = rows_[p].yields ? of_pair[p] + (own > 1e-6 * free ? own : 0) : 0;
-      if (of_pair[p] > 0)
-        each_response<along_normals>(rows_[p],
-                                     [&](std::size_t k, double a) { at_node[rows_[p].nodes[k]] += a / of_pair[p]; });
+      for (std::size_t i = 0; i < 5; ++i) {
+        own += square(response<along_normals>(row, row.nodes[i], row.weights[i]));
+        if (!is_rigid(row.nodes[i])) free += square(row.weights[i]) * velocity_[row.nodes[i]][3];
+      }
+      of_pair[p] = row.yields ? of_pair[p] + (own > 1e-6 * free ? own : 0) : 0;
+    });
+    std::vector<double> at_node(number_.size(), 0.0);
+    each_node(execution, [&](std::size_t k) {
+      for (const Share& share : shares(k))
+        if (of_pair[share.pair] > 0)
+          at_node[k] +=
+              response<along_normals>(rows_[share.pair], static_cast<Index>(k), share.weight) / of_pair[share.pair];
     });
     std::vector<double> at_body(nodes_.bodies().all().size(), 0.0),
         by_bodies(on_bodies.empty() ? 0 : rows_.size(), 0.0);
     for (const OnBody& on : on_bodies)
       if (of_pair[on.pair] > 0) at_body[on.body] += on.response / of_pair[on.pair];
     for (const OnBody& on : on_bodies) by_bodies[on.pair] += on.response * at_body[on.body];
-    side_by_side(execution, blocks(), [&](std::size_t b) {
-      each_of_block(b, [&](std::size_t p) {
-        double sum = by_bodies.empty() ? 0 : by_bodies[p];
-        each_response<along_normals>(rows_[p], [&](std::size_t k, double a) { sum += a * at_node[rows_[p].nodes[k]]; });
-        of_pair[p] *= sum;
-      });
+    each(execution, [&](std::size_t p) {
+      const Row& row = rows_[p];
+      double sum = by_bodies.empty() ? 0 : by_bodies[p];
+      for (std::size_t i = 0; i < 5; ++i)
+        sum += response<along_normals>(row, row.nodes[i], row.weights[i]) * at_node[row.nodes[i]];
+      of_pair[p] *= sum;
     });
     return of_pair;
   }
@@ -215,31 +261,32 @@ class CoupledPairs {
     });
     return all;
   }
-  /// Calls f(k, |w| sqrt(1/m)) for the nodes of a pair, with the 1/m that conditions leave along its normal, or in any
-  /// direction; 0 of nodes of rigid bodies.
-  template <bool along_normals, class F>
-  void each_response(const Row& row, const F& f) const {
-    for (std::size_t k = 0; k < 5; ++k) {
-      double inverse_mass = velocity_[row.nodes[k]][3];
-      if (row.is_held) {
-        const Index node = number_[row.nodes[k]];
-        if (nodes_.is_rigid(node))
-          inverse_mass = 0;
-        else if (along_normals)
-          inverse_mass = nodes_.inverse_mass_along(node, row.normal.template head<3>());
-        else if (nodes_.is_held_fast(node))
-          inverse_mass = 0;
-      }
-      f(k, std::abs(row.weights[k]) * std::sqrt(inverse_mass));
+  /// |w| sqrt(1/m) of a node of a pair, with the 1/m that conditions leave along its normal, or in any direction; 0 of
+  /// nodes of rigid bodies.
+  template <bool along_normals>
+  double response(const Row& row, Index k, double weight) const {
+    double inverse_mass = velocity_[k][3];
+    if (row.is_held) {
+      const Index node = number_[k];
+      if (nodes_.is_rigid(node))
+        inverse_mass = 0;
+      else if (along_normals)
+        inverse_mass = nodes_.inverse_mass_along(node, row.normal.template head<3>());
+      else if (nodes_.is_held_fast(node))
+        inverse_mass = 0;
     }
+    return std::abs(weight) * std::sqrt(inverse_mass);
   }
+  static double square(double a) { return a * a; }
 
-  /// An order in which neighbours, which share nodes, do not follow each other, so that none waits for the other.
-  static std::size_t apart(std::size_t i) { return i % 8 * 8 + i / 8; }
-  std::size_t blocks() const { return (rows_.size() + per_block - 1) / per_block; }
-  std::size_t first(std::size_t b) const { return b * per_block; }
-  std::size_t last(std::size_t b) const { return std::min((b + 1) * per_block, rows_.size()); }
+  static std::size_t blocks(std::size_t n) { return (n + per_block - 1) / per_block; }
+  static std::size_t first(std::size_t b) { return b * per_block; }
+  static std::size_t last(std::size_t b, std::size_t n) { return std::min((b + 1) * per_block, n); }
 
+  /// The impulse on a pair, and 0.
+  Eigen::Vector4d vector(std::size_t p, double J) const { return J * rows_[p].normal; }
+  Eigen::Vector4d vector(std::size_t, const Eigen::Vector3d& J) const { return {J[0], J[1], J[2], 0}; }
+  const Eigen::Vector4d& vector(std::size_t, const Eigen::Vector4d& J) const { return J; }
   /// The relative velocity, and a number without a meaning.
   Eigen::Vector4d sum(std::size_t p) const {
     const auto& [w, nodes] = std::tie(rows_[p].weights, rows_[p].nodes);
@@ -248,24 +295,7 @@ class CoupledPairs {
                           other = w[1] * velocity_[nodes[1]] + w[3] * velocity_[nodes[3]];
     return one + other;
   }
-  /// The fourth number of the impulse is 0.
-  void give(std::size_t p, const Eigen::Vector4d& impulse) {
-    const Row& row = rows_[p];
-    if (row.is_on_body) given_[p] += impulse.head<3>();
-    if (row.is_held) return give_held(row, impulse.head<3>());
-    for (std::size_t k = 0; k < 5; ++k) {
-      Eigen::Vector4d& v = velocity_[row.nodes[k]];
-      v += (row.weights[k] * v[3]) * impulse;
-    }
-  }
-  void give_held(const Row& row, const Eigen::Vector3d& impulse) {
-    for (std::size_t k = 0; k < 5; ++k) {
-      if (is_rigid(row.nodes[k])) continue;
-      Eigen::Vector4d& v = velocity_[row.nodes[k]];
-      v.head<3>() += (row.weights[k] * v[3]) * nodes_.free(number_[row.nodes[k]], impulse);
-    }
-  }
-  bool is_rigid(Index k) const { return !on_bodies_.empty() && nodes_.is_rigid(number_[k]); }
+  bool is_rigid(std::size_t k) const { return !on_bodies_.empty() && nodes_.is_rigid(number_[k]); }
   /// Gives the nodes of rigid bodies the velocities that follow from all impulses, in the order of the pairs.
   void move_bodies() {
     const ContactBodies& bodies = nodes_.bodies();
@@ -291,51 +321,59 @@ class CoupledPairs {
     }
   }
 
-  /// Sets the rows, and the colour of each block: the first that no block before it with a node of its own has. Blocks
-  /// that find none follow one by one.
+  /// Pairs by their least node, so that those that share nodes, on either side, stand together.
+  void find_order() {
+    std::vector<std::pair<Index, std::size_t>> least(pairs_.size());
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      least[p] = {*std::min_element(pairs_[p].nodes.begin(), pairs_[p].nodes.begin() + pairs_[p].count), p};
+    std::sort(least.begin(), least.end());
+    order_.resize(least.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = least[i].second;
+  }
+  /// Sets the rows and the shares of each node.
   void number_nodes() {
-    constexpr std::size_t most_colours = 64;
     constexpr Index none = std::numeric_limits<Index>::max();
     std::vector<Index> place(nodes_.size(), none);
-    std::vector<std::uint64_t> taken;
-    for (std::size_t b = 0; b < blocks(); ++b) {
-      std::uint64_t around = 0;
-      for (std::size_t p = first(b); p < last(b); ++p) {
-        const ContactPair& pair = pairs_[p];
-        Row& row = rows_[p];
-        row.normal << pair.normal, 0;
-        row.weights = pair.weights, row.is_held = row.is_on_body = false, row.yields = true;
-        for (unsigned k = 0; k < pair.count; ++k) {
-          Index& at = place[pair.nodes[k]];
-          if (at == none) at = static_cast<Index>(number_.size()), number_.push_back(pair.nodes[k]), taken.push_back(0);
-          row.nodes[k] = at, around |= taken[at];
-          row.is_on_body = row.is_on_body || nodes_.is_rigid(pair.nodes[k]);
-          row.is_held = row.is_held || row.is_on_body || nodes_.is_held(pair.nodes[k]);
-        }
-        if (row.is_on_body) on_bodies_.push_back(p), row.yields = pair.inverse_effective_mass > 0;
-        std::fill(row.nodes.begin() + pair.count, row.nodes.end(), row.nodes[0]);
-        std::fill(row.weights.begin() + pair.count, row.weights.end(), 0.0);
+    find_order();
+    for (const std::size_t p : order_) {
+      const ContactPair& pair = pairs_[p];
+      Row& row = rows_[p];
+      row.normal << pair.normal, 0;
+      row.weights = pair.weights, row.is_held = row.is_on_body = false, row.yields = true;
+      for (unsigned k = 0; k < pair.count; ++k) {
+        Index& at = place[pair.nodes[k]];
+        if (at == none)
+          at = static_cast<Index>(number_.size()), number_.push_back(pair.nodes[k]),
+          is_held_.push_back(nodes_.is_held(pair.nodes[k]));
+        row.nodes[k] = at;
+        row.is_on_body = row.is_on_body || nodes_.is_rigid(pair.nodes[k]);
+        row.is_held = row.is_held || row.is_on_body || is_held_[at];
       }
-      const auto colour = static_cast<std::size_t>(std::countr_one(around));
-      if (colour >= most_colours) {
-        colours_.push_back({b});
-        continue;
-      }
-      while (colours_.size() <= colour) colours_.emplace_back();
-      colours_[colour].push_back(b);
-      for (std::size_t p = first(b); p < last(b); ++p)
-        for (const Index k : rows_[p].nodes) taken[k] |= std::uint64_t{1} << colour;
+      if (row.is_on_body) on_bodies_.push_back(p), row.yields = pair.inverse_effective_mass > 0;
+      std::fill(row.nodes.begin() + pair.count, row.nodes.end(), row.nodes[0]);
+      std::fill(row.weights.begin() + pair.count, row.weights.end(), 0.0);
     }
+    first_share_.assign(number_.size() + 2, 0);
+    for (std::size_t p = 0; p < rows_.size(); ++p)
+      for (unsigned k = 0; k < pairs_[p].count; ++k) ++first_share_[rows_[p].nodes[k] + 2];
+    std::partial_sum(first_share_.begin(), first_share_.end(), first_share_.begin());
+    shares_.resize(first_share_.back());
+    for (std::size_t p = 0; p < rows_.size(); ++p)
+      for (unsigned k = 0; k < pairs_[p].count; ++k)
+        shares_[first_share_[rows_[p].nodes[k] + 1]++] = {p, rows_[p].weights[k]};
   }
 
   const ContactNodes& nodes_;
   std::span<const ContactPair> pairs_;
   std::vector<Row> rows_;
+  std::vector<std::size_t> order_;         // of the pairs
   std::vector<Index> number_;              // of the nodes of the pairs, each once
+  std::vector<unsigned char> is_held_;     // each of them
   std::vector<Eigen::Vector4d> velocity_;  // of each of them, and 1/m
   std::vector<std::size_t> on_bodies_;     // pairs that have nodes of rigid bodies
   std::vector<Eigen::Vector3d> given_;     // impulses that the pairs have got, if there are such
-  std::vector<std::vector<std::size_t>> colours_;
+  std::vector<std::size_t> first_share_;   // of each node, and the end
+  std::vector<Share> shares_;              // in the order of the pairs
 };
 
 }  // namespace strike::detail

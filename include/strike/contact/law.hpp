@@ -48,7 +48,7 @@ struct Kinematic {
       impulses[p] = pair.inverse_effective_mass > 0 ? std::max(0.0, *pair.stored * step.kick()) : 0.0;
       return std::abs(before[p]);
     });
-    coupled.each(execution, [&](std::size_t p) { coupled.give(p, impulses[p]); });
+    coupled.give(execution, impulses);
     const auto settle = [&] {
       coupled.settle(
           execution, impulses, 1e-6 * fastest, iterations,
@@ -59,14 +59,17 @@ struct Kinematic {
     double work = 0;
     for (std::size_t p = 0; p < pairs.size(); ++p) work += 0.5 * impulses[p] * (before[p] + coupled.approach(p));
     if (work > 0) {  // the guess was wrong: without it no impulse adds energy
-      coupled.each(execution, [&](std::size_t p) { coupled.give(p, -impulses[p]), impulses[p] = 0; });
+      coupled.each(execution, [&](std::size_t p) { impulses[p] = -impulses[p]; });
+      coupled.give(execution, impulses);
+      std::fill(impulses.begin(), impulses.end(), 0.0);
       settle();
     }
     coupled.end(nodes, execution);
     coupled.each(execution, [&](std::size_t p) {
       *pairs[p].stored = impulses[p] / step.kick();
-      pairs[p].impulse = impulses[p], pairs[p].book(nodes);
+      pairs[p].impulse = impulses[p];
     });
+    coupled.each_share(execution, impulses, [&](Index i, const Eigen::Vector3d& J) { nodes.book_push(i, J); });
     return 0;
   }
 };
@@ -90,22 +93,19 @@ struct Penalty {
   template <Execution E = Serial>
   double press(std::vector<ContactPair>& pairs, ContactNodes& nodes, const Step& step, const E& execution = {}) const {
     detail::CoupledPairs coupled(pairs, nodes, execution);
-    std::vector<double> sum(nodes.size(), 0.0);  // kappa_I
     std::vector<Spring> springs(pairs.size());
     coupled.each(execution, [&](std::size_t p) {
       ContactPair& pair = pairs[p];
       const double w = pair.inverse_effective_mass, own = fraction / pair.squared_step(nodes);
       pair.stiffness = !(w > 0) ? 0 : stiffness > 0 ? stiffness : own / w;
       springs[p] = {.most = stiffness > 0 ? std::numeric_limits<double>::infinity() : own,
-                    .before = pair.normal.dot(coupled.velocity(p) - pair.kicked(nodes)),
-                    .less = 0};
-      double moved = 0;  // norm of the pair's row
+                    .before = pair.normal.dot(coupled.velocity(p) - pair.kicked(nodes))};
       for (unsigned i = 0; i < pair.count; ++i)
-        if (moves(nodes, pair.nodes[i])) moved += std::abs(pair.weights[i]);
-      for (unsigned i = 0; i < pair.count; ++i)
-        if (moves(nodes, pair.nodes[i]))
-          sum[pair.nodes[i]] += pair.stiffness * moved * std::abs(pair.weights[i]) * nodes.inverse_mass(pair.nodes[i]);
+        if (moves(nodes, pair.nodes[i])) springs[p].moved += std::abs(pair.weights[i]);
     });
+    const std::vector<double> sums = coupled.sums_at_nodes(execution, [&](Index i, std::size_t p, double weight) {
+      return moves(nodes, i) ? pairs[p].stiffness * springs[p].moved * std::abs(weight) * nodes.inverse_mass(i) : 0;
+    });  // kappa_I
     // Of a rigid body, on which all springs pull, the trace bounds the highest frequency.
     std::vector<double> of_body(nodes.bodies().all().size(), 0.0);
     coupled.each_on_bodies([&](std::size_t p) {
@@ -113,10 +113,10 @@ struct Penalty {
         of_body[b] += pairs[p].stiffness * response;
       });
     });
+    std::vector<double> impulses(pairs.size(), 0.0);
     coupled.each(execution, [&](std::size_t p) {
       ContactPair& pair = pairs[p];
-      double here = 0;
-      for (unsigned i = 0; i < pair.count; ++i) here = std::max(here, sum[pair.nodes[i]]);
+      double here = coupled.largest_at_nodes(sums, p);
       pair.on_bodies(nodes, pair.normal).each_response(nodes.bodies(), [&](std::size_t b, double) {
         here += of_body[b];
       });
@@ -124,16 +124,17 @@ struct Penalty {
       if (pair.gap < 0 && pair.inverse_effective_mass > 0) {
         const double held = std::sqrt(2 * std::max(0.0, *pair.stored) / pair.stiffness),
                      depth = std::min(-pair.gap, held + std::max(0.0, -springs[p].before) * step.dt_before);
-        pair.impulse = pair.stiffness * depth * step.kick();
-        coupled.give(p, pair.impulse);
+        impulses[p] = pair.stiffness * depth * step.kick();
       }
     });
-    limit_what_comes_back(pairs, springs, coupled, execution);
+    coupled.give(execution, impulses);
+    limit_what_comes_back(pairs, springs, impulses, coupled, execution);
     coupled.end(nodes, execution);
-    coupled.each(execution, [&](std::size_t p) { pairs[p].book(nodes); });
+    coupled.each_share(execution, impulses, [&](Index i, const Eigen::Vector3d& J) { nodes.book_push(i, J); });
     // Constant from step to step, for a changing step would cost balance.
     if (!(stiffness > 0)) return fraction / (step.stable_dt * step.stable_dt);
-    return std::accumulate(of_body.begin(), of_body.end(), *std::max_element(sum.begin(), sum.end()));
+    const double of_node = sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());
+    return std::accumulate(of_body.begin(), of_body.end(), of_node);
   }
 
  private:
@@ -141,30 +142,33 @@ struct Penalty {
   static bool moves(const ContactNodes& nodes, Index i) { return nodes.inverse_mass(i) > 0 && !nodes.is_rigid(i); }
 
   struct Spring {
-    double most;    // kappa of a node [1/time^2]
-    double before;  // approach before the forces of this step
-    double less;    // impulse [force time]
+    double most;       // kappa of a node [1/time^2]
+    double before;     // approach before the forces of this step
+    double moved = 0;  // norm of the pair's row
   };
   /// Reduces the impulse of a spring that would give back more than it has stored, by its work along the mean of the
   /// velocities before and after the step, J (v- + v+)/2. A spring sampled in steps, entered and left within one, would
   /// otherwise add up to kappa dt^2/4 of the energy of an impact, and chatter near the stable step.
   template <class E>
-  static void limit_what_comes_back(std::vector<ContactPair>& pairs, std::vector<Spring>& springs,
-                                    detail::CoupledPairs& coupled, const E& execution) {
+  static void limit_what_comes_back(std::vector<ContactPair>& pairs, const std::vector<Spring>& springs,
+                                    std::vector<double>& impulses, detail::CoupledPairs& coupled, const E& execution) {
     const auto mean = [&](std::size_t p) { return 0.5 * (springs[p].before + coupled.approach(p)); };
+    std::vector<double> less(pairs.size());
     for (int sweep = 0; sweep < 2; ++sweep) {       // a smaller impulse adds work to what presses from the other side
       coupled.each(execution, [&](std::size_t p) {  // all from the same velocities, so that no order counts
-        const double J = pairs[p].impulse, w = pairs[p].inverse_effective_mass, stored = *pairs[p].stored, v = mean(p);
-        springs[p].less = 0;
+        const double J = impulses[p], w = pairs[p].inverse_effective_mass, stored = *pairs[p].stored, v = mean(p);
+        less[p] = 0;
         if (!(J * v > stored)) return;
         const double alone = v - 0.5 * w * J, left = std::max(0.0, alone * alone + 2 * w * stored);
-        springs[p].less = J - std::clamp((std::sqrt(left) - alone) / w, 0.0, J);
+        const double given = std::clamp((std::sqrt(left) - alone) / w, 0.0, J);
+        less[p] = given - J, impulses[p] = given;
       });
-      coupled.each(execution, [&](std::size_t p) {
-        if (springs[p].less > 0) coupled.give(p, -springs[p].less), pairs[p].impulse -= springs[p].less;
-      });
+      coupled.give(execution, less);
     }
-    coupled.each(execution, [&](std::size_t p) { *pairs[p].stored -= pairs[p].impulse * mean(p); });
+    coupled.each(execution, [&](std::size_t p) {
+      pairs[p].impulse = impulses[p];
+      *pairs[p].stored -= impulses[p] * mean(p);
+    });
   }
 };
 

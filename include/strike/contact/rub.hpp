@@ -37,7 +37,7 @@ void rub(const Friction& friction, std::vector<ContactPair>& pairs, ContactNodes
       impulses[p] = bounded(pair, Eigen::Vector3d(step.kick() * along(pair, *pair.friction)));
     return along(pair, before[p]).norm();
   });
-  coupled.each(execution, [&](std::size_t p) { coupled.give(p, impulses[p]); });
+  coupled.give(execution, impulses);
   const auto settle = [&] {
     constexpr int iterations = 50;
     coupled.settle(
@@ -49,15 +49,16 @@ void rub(const Friction& friction, std::vector<ContactPair>& pairs, ContactNodes
   double work = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) work += 0.5 * impulses[p].dot(before[p] + coupled.velocity(p));
   if (work > 0) {
-    coupled.each(execution, [&](std::size_t p) { coupled.give(p, Eigen::Vector3d(-impulses[p])), impulses[p] = none; });
+    coupled.each(execution, [&](std::size_t p) { impulses[p] = -impulses[p]; });
+    coupled.give(execution, impulses);
+    std::fill(impulses.begin(), impulses.end(), none);
     settle();
   }
   coupled.end(nodes, execution);
   coupled.each(execution, [&](std::size_t p) {
-    const ContactPair& pair = pairs[p];
-    for (unsigned i = 0; i < pair.count; ++i) nodes.book_drag(pair.nodes[i], pair.weights[i] * impulses[p]);
-    if (pair.friction) *pair.friction = (1 / step.kick()) * impulses[p];
+    if (pairs[p].friction) *pairs[p].friction = (1 / step.kick()) * impulses[p];
   });
+  coupled.each_share(execution, impulses, [&](Index i, const Eigen::Vector3d& J) { nodes.book_drag(i, J); });
 }
 
 }  // namespace strike::detail

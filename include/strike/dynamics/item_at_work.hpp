@@ -40,7 +40,6 @@ struct ItemFunctions {
   std::string (*warning)(const void*) = nullptr;
 
   // Of an item that acts on nodes in a step: those that it names; null: it may name any.
-  bool acts = false;
   std::vector<Index> (*nodes_named)(const void*) = nullptr;
 
   // Of a RigidBody.
@@ -73,6 +72,9 @@ struct ItemFunctions {
   std::string (*fault_of_condition)(void*, TriedNodes<Nodes>&, std::size_t, const Step&) = nullptr;
   std::string (*fault_of_load)(void*, TriedNodes<Nodes>&, std::size_t, double) = nullptr;
   std::string (*fault_of_power)(void*, TriedNodes<Nodes>&, std::size_t, double) = nullptr;
+
+  // Asked at run time: a function's address is no constant to g++ under -fsanitize=undefined.
+  bool acts_on_nodes() const { return stable_step || apply_loads || constrain || resolve_contact || move_body; }
 };
 
 /// The functions of one type of item.
@@ -175,11 +177,10 @@ struct FunctionsOf {
       if constexpr (answers<item::ResolveContact, Item, Nodes, const Step, Ledger, const Execution>)
         all.resolve_contact = &resolve_contact;
       if constexpr (answers<item::Remove, Item, const std::size_t, const std::vector<bool>>) all.remove = &remove;
-      if constexpr (requires { requires Item::is_rigid_body; }) {
+      if constexpr (is_rigid_body<Item>) {
         all.add_body = &add_body, all.start_body = &start_body, all.move_body = &move_body;
         all.add_faces = &add_faces;
       }
-      all.acts = all.stable_step || all.apply_loads || all.constrain || all.resolve_contact || all.move_body;
       if constexpr (requires(const Item& item) { item.nodes_named(); }) all.nodes_named = &nodes_named;
     }
     return all;

@@ -175,7 +175,7 @@ class ItemsAtWork {
       if (one.can->is_part) {
         if (!one.can->can_share_nodes(one.item)) return;
         for (std::size_t r = 0; r < ranks.size(); ++r) first_named[r] += one.can->deal(one.item).nodes_up_to(r);
-      } else if (one.can->acts) {
+      } else if (one.can->acts_on_nodes()) {
         if (!one.can->nodes_named) return;
         for (const Index i : one.can->nodes_named(one.item)) named.push_back(nodes_.place(i));
       }

@@ -120,7 +120,7 @@ class RunningScene : public AnyRun<Method, typename Method::template Nodes<Scene
   template <class F>
   static auto of_bodies(const F& f) {
     return [&](auto& item) {
-      if constexpr (requires { requires std::remove_cvref_t<decltype(item)>::is_rigid_body; }) f(item);
+      if constexpr (is_rigid_body<std::remove_cvref_t<decltype(item)>>) f(item);
     };
   }
   template <class F>

@@ -22,9 +22,12 @@ inline constexpr bool is_part = false;
 template <class E, class M, std::size_t n, class R>
 inline constexpr bool is_part<Part<E, M, n, R>> = true;
 
+template <class Item>
+inline constexpr bool is_rigid_body = requires { requires Item::is_rigid_body; };
+
 /// The item gives nodes masses: a part or a rigid body.
 template <class Item>
-inline constexpr bool has_mass = is_part<Item> || requires { requires Item::is_rigid_body; };
+inline constexpr bool has_mass = is_part<Item> || is_rigid_body<Item>;
 
 template <class Item>
 inline constexpr bool turns_nodes_of = false;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
-#include <numeric>
 
 #include <strike/cxx20.hpp>
 
@@ -10,7 +9,8 @@ namespace strike {
 
 /// A way to carry out the loops of a run.
 /// Law: `for_each(n, f)` calls f(0), ..., f(n - 1) once each, in any order or in parallel, and returns when all are
-/// done. The driver's work does not throw, and its results do not depend on the order.
+/// done. The driver's work does not throw, and its results do not depend on the order. `for_each_unlike(n, f)`,
+/// optional, does the same for calls that take unlike times.
 template <class E>
 concept Execution =
     std::copyable<E> && requires(const E execution, void (*f)(std::size_t)) { execution.for_each(std::size_t{}, f); };
@@ -36,12 +36,13 @@ void for_each_chunk(const E& execution, std::size_t n, const F& f) {
   execution.for_each(chunks(n), [&](std::size_t k) { f(k, k * chunk, std::min((k + 1) * chunk, n)); });
 }
 
-/// Calls f(0), ..., f(n - 1) in an order that leaps: costly ones that follow each other go to several threads.
+/// The loop of an execution for calls that take unlike times, if it has one.
 template <class E, class F>
-void for_each_leaping(const E& execution, std::size_t n, const F& f) {
-  std::size_t leap = n * 5 / 8;
-  while (std::gcd(leap, n) > 1) ++leap;
-  execution.for_each(n, [&](std::size_t k) { f(k * leap % n); });
+void for_each_unlike(const E& execution, std::size_t n, const F& f) {
+  if constexpr (requires { execution.for_each_unlike(n, f); })
+    execution.for_each_unlike(n, f);
+  else
+    execution.for_each(n, f);
 }
 
 }  // namespace detail

@@ -26,11 +26,26 @@ struct OpenMP {
   template <class F>
   void for_each(std::size_t n, const F& f) const {
 #ifdef _OPENMP
-    const std::size_t team = static_cast<std::size_t>(threads > 0 ? threads : omp_get_max_threads());
-#pragma omp parallel for schedule(static) num_threads(static_cast<int>(std::min(team, n))) if (n > 1)
+#pragma omp parallel for schedule(static) num_threads(team(n)) if (n > 1)
 #endif
     for (std::size_t k = 0; k < n; ++k) f(k);
   }
+  /// The same for calls that take unlike times: a thread takes the next when it has done one.
+  template <class F>
+  void for_each_unlike(std::size_t n, const F& f) const {
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic) num_threads(team(n)) if (n > 1)
+#endif
+    for (std::size_t k = 0; k < n; ++k) f(k);
+  }
+
+#ifdef _OPENMP
+
+ private:
+  int team(std::size_t n) const {
+    return static_cast<int>(std::min(static_cast<std::size_t>(threads > 0 ? threads : omp_get_max_threads()), n));
+  }
+#endif
 };
 
 }  // namespace strike

@@ -121,6 +121,10 @@ struct Mpi {
   void for_each(std::size_t n, const F& f) const {
     threads.for_each(n, f);
   }
+  template <class F>
+  void for_each_unlike(std::size_t n, const F& f) const {
+    detail::for_each_unlike(threads, n, f);
+  }
   auto ranks() const { return detail::MpiRanks(communicator); }
 };
 Mpi() -> Mpi<>;
