@@ -83,7 +83,8 @@ TEST_CASE("processes share the nodes where every item names its own") {
                   Support{side, {unit(Axis::x)}, {unit(Axis::y)}}, Pressure{pressed, Constant{.01}},
                   Tied{foot, Surface{surface(block)}, .05}, NodalForce{{0, 0, -.1}, {40, 41}},
                   PrescribedVelocity{Axis::z, nodes_where(block.nodes, on_plane(Axis::z, 0)), Constant{.5}},
-                  RigidWall{{0, 0, -.1}, {0, 0, 1}, foot});
+                  RigidWall{{0, 0, -.1}, {0, 0, 1}, foot},
+                  BodyForce{{0, 3, -50}, [](double time) { return 1 + 9 * time; }});
   };
   auto [run, alone] = testing::runs_alike(loaded, 60);
   CHECK(run.energy().friction > 0);

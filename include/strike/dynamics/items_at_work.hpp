@@ -188,7 +188,7 @@ class ItemsAtWork {
     share_.finish();
     for (const Item& one : listed_)
       if (one.can->is_part) one.can->share_nodes(one.item, share_);
-    nodes_.set_known(share_.known());
+    nodes_.set_known(share_.known(), share_.chunk_ends());
   }
   /// Brings the nodes of other processes.
   void know_all_nodes() const {

@@ -73,6 +73,8 @@ class NodeShare {
   const std::vector<Places>& others() const { return others_; }
   const std::vector<Places>& named_of_others() const { return named_of_others_; }
 
+  /// The chunks of places up to those of each process.
+  const std::vector<std::size_t>& chunk_ends() const { return chunk_ends_; }
   /// Whether the process knows what moves at each place.
   std::vector<char> known() const {
     std::vector<char> known(ends_.back());

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <strike/load/curve.hpp>
 #include <strike/motion/motion.hpp>
@@ -27,17 +29,19 @@ class BodyForce {
   void apply_loads(N& nodes, double time) {
     now_ = history_(time) * acceleration_;
     const auto g = N::padded(now_.cast<typename N::Number>());
-    for (std::size_t k = 0; k < nodes.size(); ++k) nodes.force()[k] += nodes.mass()[k] * g;
+    nodes.each_known_place([&](std::size_t k) { nodes.force()[k] += nodes.mass()[k] * g; });
     for (RigidMotion& body : nodes.bodies()) body.accelerate(now_);
   }
   template <class N>
   double power(const N& nodes) const {
-    Padded<double> momentum = 0;
-    for (std::size_t k = 0; k < nodes.size(); ++k) momentum += Padded<double>(nodes.mass()[k] * nodes.velocity()[k]);
-    double power = Nodes<double>::vector_of(momentum).dot(now_);
+    double power =
+        now_.dot(nodes.sum([&](std::size_t k) { return Padded<double>(nodes.mass()[k] * nodes.velocity()[k]); }));
     for (const RigidMotion& body : nodes.bodies()) power += body.power_beside_nodes(now_);
     return power;
   }
+
+  /// None: of all nodes a process sees to those that it knows.
+  std::vector<Index> nodes_named() const { return {}; }
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -15,6 +15,7 @@
 #include <strike/error.hpp>
 #include <strike/mesh/count.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/motion/execution.hpp>
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/motion.hpp>
 #include <strike/motion/ranks.hpp>
@@ -71,11 +72,33 @@ class Nodes {
   void add_moment(std::size_t i, const Vector& change) { add(own_.moment[checked_place(i)], change); }
   void add_inertia(std::size_t i, double I) { inertia_[checked_place(i)] += static_cast<Plain>(I); }
 
-  /// Of several processes that share the nodes: where it knows what moves, place by place, and whether it knows all
-  /// now.
-  void set_known(std::vector<char> known) { known_ = std::move(known); }
+  /// Of several processes that share the nodes: where it knows what moves, place by place, the chunks of places up to
+  /// those of each process, and whether it knows all now.
+  void set_known(std::vector<char> known, std::vector<std::size_t> chunk_ends) {
+    known_ = std::move(known), chunk_ends_ = std::move(chunk_ends);
+  }
   void know_all(bool all) { knows_all_ = all; }
   bool knows_all() const { return knows_all_; }
+
+  /// Calls f(place) for the nodes that this process knows.
+  template <class F>
+  void each_known_place(const F& f) const {
+    for (std::size_t k = 0; k < size(); ++k)
+      if (knows_all_ || known_[k]) f(k);
+  }
+  /// The sum of f(place), of three numbers, over all nodes, chunk by chunk: the same bits on any number of processes.
+  template <class F>
+  Eigen::Vector3d sum(const F& f) const {
+    std::vector<Padded<double>> of_chunks(detail::chunks(size()), Padded<double>(0));
+    const std::size_t rank = ranks_.rank(), first = knows_all_ || rank == 0 ? 0 : chunk_ends_[rank - 1],
+                      last = knows_all_ ? of_chunks.size() : chunk_ends_[rank];
+    for (std::size_t c = first; c < last; ++c)
+      for (std::size_t k = c * detail::chunk; k < std::min((c + 1) * detail::chunk, size()); ++k) of_chunks[c] += f(k);
+    if (!knows_all_) ranks_.exchange(std::span(of_chunks), std::span<const std::size_t>(chunk_ends_));
+    Padded<double> sum = 0;
+    for (const Padded<double>& of_chunk : of_chunks) sum += of_chunk;
+    return Nodes<double>::vector_of(sum);
+  }
 
   /// Error: there is no node of this number.
   void check_number(std::size_t i) const {
@@ -232,6 +255,7 @@ class Nodes {
   std::vector<Index> number_, place_;
   [[no_unique_address]] Ranks ranks_;
   std::vector<char> known_;
+  std::vector<std::size_t> chunk_ends_;
   bool knows_all_ = true;
   detail::HeldDirections held_, held_turns_;
   static constexpr Index no_body = std::numeric_limits<Index>::max();
