@@ -66,23 +66,25 @@ class CoupledPairs {
   void give(const Execution& execution, const std::vector<Impulse>& impulses) {
     each_node(execution, [&](std::size_t k) {
       if (is_rigid(k)) return;
-      Eigen::Vector4d impulse = Eigen::Vector4d::Zero();
-      for (const Share& share : shares(k)) impulse += share.weight * vector(share.pair, impulses[share.pair]);
-      Eigen::Vector4d& v = velocity_[k];
+      Eigen::Vector4d impulse = sum_of_shares(k, impulses), &v = velocity_[k];
       if (is_held_[k]) impulse.head<3>() = nodes_.free(number_[k], impulse.head<3>());
       v += v[3] * impulse;
     });
     for (const std::size_t p : on_bodies_) given_[p] += vector(p, impulses[p]).template head<3>();
     if (!on_bodies_.empty()) move_bodies();
   }
+  /// Takes back the impulses that all pairs have got, and sets them to none.
+  template <class Execution, class Impulse>
+  void take_back(const Execution& execution, std::vector<Impulse>& impulses, const Impulse& none) {
+    for (Impulse& J : impulses) J = -J;
+    give(execution, impulses);
+    std::fill(impulses.begin(), impulses.end(), none);
+  }
   /// Calls f(node, impulse) for the nodes of pairs with what they get by the impulse of each pair.
   template <class Execution, class Impulse, class F>
   void each_share(const Execution& execution, const std::vector<Impulse>& impulses, const F& f) const {
-    each_node(execution, [&](std::size_t k) {
-      Eigen::Vector4d impulse = Eigen::Vector4d::Zero();
-      for (const Share& share : shares(k)) impulse += share.weight * vector(share.pair, impulses[share.pair]);
-      f(number_[k], Eigen::Vector3d(impulse.head<3>()));
-    });
+    each_node(execution,
+              [&](std::size_t k) { f(number_[k], Eigen::Vector3d(sum_of_shares(k, impulses).template head<3>())); });
   }
   /// For each node the sum of f(node, p, weight) over its pairs, by places that largest_at_nodes() knows.
   template <class Execution, class F>
@@ -159,9 +161,9 @@ class CoupledPairs {
     Eigen::Vector4d normal;  // and 0
     std::array<double, 5> weights;
     std::array<Index, 5> nodes;  // by their places among those of all pairs
-    bool is_held, is_on_body, yields;
+    bool is_held, yields;
   };
-  /// What a node has in a pair.
+  /// The part of a node in a pair.
   struct Share {
     std::size_t pair;
     double weight;
@@ -195,6 +197,13 @@ class CoupledPairs {
   }
   std::span<const Share> shares(std::size_t k) const {
     return std::span(shares_).subspan(first_share_[k], first_share_[k + 1] - first_share_[k]);
+  }
+  /// The impulse that a node gets by those of its pairs.
+  template <class Impulse>
+  Eigen::Vector4d sum_of_shares(std::size_t k, const std::vector<Impulse>& impulses) const {
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    for (const Share& share : shares(k)) sum += share.weight * vector(share.pair, impulses[share.pair]);
+    return sum;
   }
 
   /// For each pair p a bound D of what impulses do to it [1/mass], so that D - A is positive semidefinite, where A_pq
@@ -339,17 +348,18 @@ class CoupledPairs {
       const ContactPair& pair = pairs_[p];
       Row& row = rows_[p];
       row.normal << pair.normal, 0;
-      row.weights = pair.weights, row.is_held = row.is_on_body = false, row.yields = true;
+      row.weights = pair.weights, row.is_held = false, row.yields = true;
+      bool is_on_body = false;
       for (unsigned k = 0; k < pair.count; ++k) {
         Index& at = place[pair.nodes[k]];
         if (at == none)
           at = static_cast<Index>(number_.size()), number_.push_back(pair.nodes[k]),
           is_held_.push_back(nodes_.is_held(pair.nodes[k]));
         row.nodes[k] = at;
-        row.is_on_body = row.is_on_body || nodes_.is_rigid(pair.nodes[k]);
-        row.is_held = row.is_held || row.is_on_body || is_held_[at];
+        is_on_body = is_on_body || nodes_.is_rigid(pair.nodes[k]);
+        row.is_held = row.is_held || is_on_body || is_held_[at];
       }
-      if (row.is_on_body) on_bodies_.push_back(p), row.yields = pair.inverse_effective_mass > 0;
+      if (is_on_body) on_bodies_.push_back(p), row.yields = pair.inverse_effective_mass > 0;
       std::fill(row.nodes.begin() + pair.count, row.nodes.end(), row.nodes[0]);
       std::fill(row.weights.begin() + pair.count, row.weights.end(), 0.0);
     }
@@ -366,9 +376,9 @@ class CoupledPairs {
   const ContactNodes& nodes_;
   std::span<const ContactPair> pairs_;
   std::vector<Row> rows_;
-  std::vector<std::size_t> order_;         // of the pairs
+  std::vector<std::size_t> order_;         // in which pairs are served
   std::vector<Index> number_;              // of the nodes of the pairs, each once
-  std::vector<unsigned char> is_held_;     // each of them
+  std::vector<unsigned char> is_held_;     // by conditions, each of them
   std::vector<Eigen::Vector4d> velocity_;  // of each of them, and 1/m
   std::vector<std::size_t> on_bodies_;     // pairs that have nodes of rigid bodies
   std::vector<Eigen::Vector3d> given_;     // impulses that the pairs have got, if there are such

@@ -59,9 +59,7 @@ struct Kinematic {
     double work = 0;
     for (std::size_t p = 0; p < pairs.size(); ++p) work += 0.5 * impulses[p] * (before[p] + coupled.approach(p));
     if (work > 0) {  // the guess was wrong: without it no impulse adds energy
-      coupled.each(execution, [&](std::size_t p) { impulses[p] = -impulses[p]; });
-      coupled.give(execution, impulses);
-      std::fill(impulses.begin(), impulses.end(), 0.0);
+      coupled.take_back(execution, impulses, 0.0);
       settle();
     }
     coupled.end(nodes, execution);
@@ -103,9 +101,10 @@ struct Penalty {
       for (unsigned i = 0; i < pair.count; ++i)
         if (moves(nodes, pair.nodes[i])) springs[p].moved += std::abs(pair.weights[i]);
     });
+    // kappa_I
     const std::vector<double> sums = coupled.sums_at_nodes(execution, [&](Index i, std::size_t p, double weight) {
       return moves(nodes, i) ? pairs[p].stiffness * springs[p].moved * std::abs(weight) * nodes.inverse_mass(i) : 0;
-    });  // kappa_I
+    });
     // Of a rigid body, on which all springs pull, the trace bounds the highest frequency.
     std::vector<double> of_body(nodes.bodies().all().size(), 0.0);
     coupled.each_on_bodies([&](std::size_t p) {

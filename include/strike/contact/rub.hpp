@@ -49,9 +49,7 @@ void rub(const Friction& friction, std::vector<ContactPair>& pairs, ContactNodes
   double work = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) work += 0.5 * impulses[p].dot(before[p] + coupled.velocity(p));
   if (work > 0) {
-    coupled.each(execution, [&](std::size_t p) { impulses[p] = -impulses[p]; });
-    coupled.give(execution, impulses);
-    std::fill(impulses.begin(), impulses.end(), none);
+    coupled.take_back(execution, impulses, none);
     settle();
   }
   coupled.end(nodes, execution);

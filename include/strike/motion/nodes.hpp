@@ -84,7 +84,7 @@ class Nodes {
   template <class F>
   void each_known_place(const F& f) const {
     for (std::size_t k = 0; k < size(); ++k)
-      if (knows_all_ || known_[k]) f(k);
+      if (knows(k)) f(k);
   }
   /// The sum of f(place), of three numbers, over all nodes, chunk by chunk: the same bits on any number of processes.
   template <class F>
@@ -222,9 +222,14 @@ class Nodes {
   /// Error: another process has moved the node.
   Index known_place(std::size_t i) const {
     const Index place = place_[i];
-    if constexpr (!std::is_same_v<Ranks, Alone>)
-      if (!knows_all_ && !known_[place]) refuse_unknown(i);
+    if (!knows(place)) refuse_unknown(i);
     return place;
+  }
+  bool knows(std::size_t place) const {
+    if constexpr (std::is_same_v<Ranks, Alone>)
+      return true;
+    else
+      return knows_all_ || known_[place];
   }
   [[noreturn, gnu::cold, gnu::noinline]] static void refuse_unknown(std::size_t i) {
     throw Error(detail::joined({"strike: node ", std::to_string(i),
