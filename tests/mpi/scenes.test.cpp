@@ -22,6 +22,21 @@ std::vector<Index> upper_half(const Mesh& mesh, double z) {
   return nodes_where(mesh.nodes, [=](const Eigen::Vector3d& x) { return x.z() > z; });
 }
 
+/// After another step each process knows some nodes alone.
+template <class Run>
+void check_shared(Run& run) {
+  const auto& nodes = run.nodes();
+  run.step();
+  bool knows_all = true;
+  try {
+    for (std::size_t i = 0; i < nodes.size(); ++i) (void)nodes.x(i);
+  } catch (const Error& error) {
+    knows_all = false;
+    CHECK(std::string(error.what()).find("is on another process") != std::string::npos);
+  }
+  CHECK(testing::everywhere(knows_all == (session.size() == 1)));
+}
+
 }  // namespace
 
 TEST_CASE("a bar that strikes a wall, with its supports and loads") {
@@ -88,19 +103,37 @@ TEST_CASE("processes share the nodes where every item names its own") {
   };
   auto [run, alone] = testing::runs_alike(loaded, 60);
   CHECK(run.energy().friction > 0);
-  const auto& nodes = run.nodes();
-  run.step();
-  bool knows_all = true;
-  try {
-    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) (void)nodes.x(i);
-  } catch (const Error& error) {
-    knows_all = false;
-    CHECK(std::string(error.what()).find("is on another process") != std::string::npos);
-  }
-  CHECK(testing::everywhere(knows_all == (session.size() == 1)));
-  alone.step();
+  check_shared(run), alone.step();
   CHECK(testing::everywhere(run.positions() == alone.positions() && run.velocities() == alone.velocities()));
   testing::runs_alike(loaded, 40, in<Pack<float>, double>);
+}
+
+TEST_CASE("processes share the nodes of tetrahedra and of elements that erode") {
+  const Mesh core = box({.size = {2, 2, 4}, .cells = {8, 8, 16}});
+  Mesh mesh = tetrahedralized(core);
+  append(mesh, translated(box({.size = {2, 2, 1}, .cells = {8, 8, 4}}), {0, 0, 4}));
+  mesh = merge_coincident_nodes(mesh, 1e-6);
+  const auto scene = [&](const auto&... removal) {
+    return [&mesh, removal...] {
+      return Scene{mesh.nodes,
+                   Part{Tet4{}, Solid{of_copper, hardening, FailureStrain{.4}}, mesh.tetrahedra, removal...},
+                   Part{Hex8{}, copper, mesh.hexahedra, Erosion{.strain = .15}},
+                   InitialVelocity{{20, 0, -400}},
+                   RigidWall{{0, 0, 0}, {0, 0, 1}, nodes_where(mesh.nodes, on_plane(Axis::z, 0)), .2},
+                   Support{nodes_where(mesh.nodes, on_plane(Axis::z, 5)), {unit(Axis::z)}}};
+    };
+  };
+  auto [run, alone] = testing::runs_alike(scene(Erosion{.strain = .3}), 80);
+  CHECK(run.template part<0>().deleted() > 0);
+  CHECK(run.template part<1>().deleted() > 0);
+  check_shared(run), alone.step();
+  CHECK(testing::everywhere(run.positions() == alone.positions()));
+  auto copy = run, other = alone;
+  for (int n = 0; n < 20; ++n) copy.step(), other.step();
+  CHECK(testing::everywhere(copy.velocities() == other.velocities()));
+  CHECK(testing::everywhere(testing::bytes_of(copy).kept == testing::bytes_of(other).kept));
+  auto [whole, alone_too] = testing::runs_alike(scene(), 40, in<Pack<float>, double>);
+  check_shared(whole);
 }
 
 TEST_CASE("more processes than patches, derivatives, and a copy of a run") {

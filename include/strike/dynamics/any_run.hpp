@@ -142,18 +142,18 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   }
 
   /// The first step knows the forces at all nodes.
-  bool shares_nodes() const { return !this->share_.is_whole() && step_.number > 1; }
+  bool shares_nodes() const { return this->share_ && step_.number > 1; }
   /// Each process its own nodes, and all those that items name.
   void kick_shared() {
     auto& nodes = this->nodes_;
     nodes.know_all(false);
-    const Places own = this->share_.own();
+    const Places own = this->share_->own();
     const std::size_t first_chunk = chunks(own.first);
     for_each_chunk(execution_, own.last - own.first, [&](std::size_t k, std::size_t first, std::size_t last) {
       kinetic_[first_chunk + k] = detail::kick(nodes, step_.kick(), own.first + first, own.first + last);
     });
-    for (const auto& [first, last] : this->share_.named_of_others()) detail::kick(nodes, step_.kick(), first, last);
-    this->share_.exchange_chunks(nodes.ranks(), kinetic_);
+    for (const auto& [first, last] : this->share_->named_of_others()) detail::kick(nodes, step_.kick(), first, last);
+    this->share_->exchange_chunks(nodes.ranks(), kinetic_);
     ledger_.kinetic = 0.5 * std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0);
   }
   void drift_nodes() {
@@ -164,16 +164,16 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   /// And copies of those that its elements name.
   void drift_shared() {
     auto& nodes = this->nodes_;
-    const PlaceLists& lent = this->share_.lent();
+    const PlaceLists& lent = this->share_->lent();
     if constexpr (Nodes::nodes_turn)
       nodes.ranks().trade(lent, nodes.velocity(), lent, nodes.angular_velocity());
     else
       nodes.ranks().trade(lent, nodes.velocity());
-    const Places own = this->share_.own();
+    const Places own = this->share_->own();
     for_each_chunk(execution_, own.last - own.first, [&](std::size_t, std::size_t first, std::size_t last) {
       detail::drift(nodes, step_.dt, own.first + first, own.first + last);
     });
-    for (const auto& [first, last] : this->share_.others()) detail::drift(nodes, step_.dt, first, last);
+    for (const auto& [first, last] : this->share_->others()) detail::drift(nodes, step_.dt, first, last);
     place_bodies(nodes);
   }
 
@@ -249,10 +249,10 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
       if (mine.dt < stable_.dt) stable_ = mine;
     }
     if constexpr (Items::has_ranks)
-      if (!this->share_.is_whole()) {
+      if (this->share_) {
         this->nodes_.know_all(false);
-        this->share_.exchange_named(this->nodes_.ranks(), this->nodes_.force());
-        if constexpr (Nodes::nodes_turn) this->share_.exchange_named(this->nodes_.ranks(), this->nodes_.moment());
+        this->share_->exchange_named(this->nodes_.ranks(), this->nodes_.force());
+        if constexpr (Nodes::nodes_turn) this->share_->exchange_named(this->nodes_.ranks(), this->nodes_.moment());
       }
     this->remove_deleted();
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -65,7 +66,7 @@ struct ItemFunctions {
   const Deal& (*deal)(const void*) = nullptr;
   bool (*can_share_nodes)(const void*) = nullptr;
   void (*add_needs)(const void*, NodeShare&) = nullptr;
-  void (*share_nodes)(void*, const NodeShare&) = nullptr;
+  void (*share_nodes)(void*, const std::shared_ptr<const NodeShare>&) = nullptr;
 
   // Sentences of TriedNodes on an item, some with its place in the scene.
   std::string (*fault_of_elements)(const void*, const TriedNodes<Nodes>&) = nullptr;
@@ -106,7 +107,7 @@ struct FunctionsOf {
   static const Deal& deal(const void* item) { return at(item).deal(); }
   static bool can_share_nodes(const void* item) { return at(item).can_share_nodes(); }
   static void add_needs(const void* item, NodeShare& share) { at(item).add_needs(share); }
-  static void share_nodes(void* item, const NodeShare& share) { at(item).share_nodes(share); }
+  static void share_nodes(void* item, const std::shared_ptr<const NodeShare>& share) { at(item).share_nodes(share); }
 
   static void add_body(void* item, Nodes& nodes) { at(item).add_body(nodes); }
   static void start_body(void* item, Nodes& nodes) { at(item).start_body(nodes); }

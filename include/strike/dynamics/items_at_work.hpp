@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -182,20 +183,21 @@ class ItemsAtWork {
     }
     named = ascending(std::move(named));
     if (2 * named.size() > nodes_.size()) return;
-    share_ = NodeShare(nodes_.size(), first_named, std::move(named), ranks.rank());
+    const auto share = std::make_shared<NodeShare>(nodes_.size(), first_named, std::move(named), ranks.rank());
     for (const Item& one : listed_)
-      if (one.can->is_part) one.can->add_needs(one.item, share_);
-    share_.finish();
+      if (one.can->is_part) one.can->add_needs(one.item, *share);
+    share->finish();
+    share_ = share;
     for (const Item& one : listed_)
       if (one.can->is_part) one.can->share_nodes(one.item, share_);
-    nodes_.set_known(share_.known(), share_.chunk_ends());
+    nodes_.set_known(share_->known(), share_->chunk_ends());
   }
   /// Brings the nodes of other processes.
   void know_all_nodes() const {
     if constexpr (has_ranks) {
       if (nodes_.knows_all()) return;
       Nodes& nodes = const_cast<Nodes&>(nodes_);
-      const auto bring = [&](auto& field) { share_.exchange(nodes.ranks(), field); };
+      const auto bring = [&](auto& field) { share_->exchange(nodes.ranks(), field); };
       bring(nodes.position()), bring(nodes.velocity()), bring(nodes.force());
       if constexpr (Nodes::nodes_turn) bring(nodes.angular_velocity()), bring(nodes.moment());
       nodes.know_all(true);
@@ -212,7 +214,7 @@ class ItemsAtWork {
   Nodes nodes_;
   std::vector<Item> listed_;
   struct Nothing {};
-  [[no_unique_address]] std::conditional_t<has_ranks, NodeShare, Nothing> share_;
+  [[no_unique_address]] std::conditional_t<has_ranks, std::shared_ptr<const NodeShare>, Nothing> share_;  // if they share the nodes
 
  private:
   std::vector<std::string> stretch_warnings() const {

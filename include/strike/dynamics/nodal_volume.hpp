@@ -30,25 +30,36 @@ class NodalVolume {
     add<T, n>(volume, volume_, nodes, count);
     add<T, n>(reference, reference_, nodes, count);
   }
+  /// f(field) for what patches have added.
+  template <class F>
+  void each_sum(const F& f) {
+    f(volume_);
+    if constexpr (loses_elements) f(reference_);
+  }
   /// Gives all processes what the patches of each have added.
   template <class Deal, class Ranks>
   void exchange(const Deal& deal, const Ranks& ranks) {
-    exchange(deal, ranks, volume_);
-    if constexpr (loses_elements) exchange(deal, ranks, reference_);
+    each_sum([&](std::vector<Real>& field) { deal.exchange_nodes(ranks, field), deal.exchange_ghosts(ranks, field); });
   }
   /// Adds up what patches have of a node, patch after patch, as the reference.
   void begin(const Patches& patches) {
-    sum(patches, volume_);
+    patches.gather(volume_, {0, patches.shared()});
     reference_ = volume_;
   }
-  /// The same as the present volumes, of which every patch learns the ratios.
+  /// The same as the present volumes, of which every patch learns the ratios, ...
   void update(const Patches& patches) {
-    sum(patches, volume_);
-    if constexpr (loses_elements) sum(patches, reference_);
-    for (std::size_t i = 0; i < ratio_.size(); ++i)
-      if (reference_[i] > 0) ratio_[i] = volume_[i] / reference_[i];
+    update(patches, {0, ratio_.size()}, {0, patches.shared()});
     for (std::size_t p = 0; p < patches.size(); ++p) patches.refresh(patches[p], ratio_);
   }
+  /// ... or of a range of places alone, among them a range of those that have ghosts.
+  void update(const Patches& patches, const Places& nodes, const Places& shared) {
+    each_sum([&](std::vector<Real>& field) { patches.gather(field, shared); });
+    for (std::size_t i = nodes.first; i < nodes.last; ++i)
+      if (reference_[i] > 0) ratio_[i] = volume_[i] / reference_[i];
+  }
+  /// The ratio and the reference, place by place.
+  std::vector<Real>& ratio() { return ratio_; }
+  std::vector<Real>& reference() { return reference_; }
   /// The mean of J_a over the nodes of the elements of a block.
   template <class T, std::size_t n>
   T mean(const BlockNodes<n, lanes<T>>& nodes) const {
@@ -64,17 +75,10 @@ class NodalVolume {
   }
 
  private:
-  template <class Deal, class Ranks>
-  static void exchange(const Deal& deal, const Ranks& ranks, std::vector<Real>& field) {
-    deal.exchange_nodes(ranks, field), deal.exchange_ghosts(ranks, field);
-  }
   template <class T, std::size_t n>
   static void add(const T& change, std::vector<Real>& field, const BlockNodes<n, lanes<T>>& nodes, std::size_t count) {
     for (const auto& corner : nodes)
       for (std::size_t l = 0; l < count; ++l) field[corner[l]] += lane(change, l);
-  }
-  static void sum(const Patches& patches, std::vector<Real>& field) {
-    for (std::size_t p = 0; p < patches.size(); ++p) patches.gather(patches[p], field);
   }
 
   std::vector<Real> reference_, volume_, ratio_;

@@ -13,20 +13,11 @@
 
 namespace strike::detail {
 
-/// A range of places.
-struct Places {
-  std::size_t first, last;
-};
-
 /// The nodes as the processes of a run share them: each moves its own, those that items name, which all move, and
 /// copies of others that its elements name. It is told only what of them it does not find out itself; the rest of the
 /// nodes it has not.
 class NodeShare {
  public:
-  NodeShare() = default;
-  /// The process moves all nodes.
-  bool is_whole() const { return ends_.empty(); }
-
   /// Of nodes at `size` places: those of rank r end about where the nodes end that patches of ranks up to r are the
   /// first to name, in whole chunks. `named` are the places that items name, in ascending order.
   NodeShare(std::size_t size, const std::vector<std::size_t>& first_named, std::vector<Index> named, std::size_t rank)
@@ -50,7 +41,7 @@ class NodeShare {
   }
   /// When all needs are known.
   void finish() {
-    lent_.to.resize(ends_.size()), lent_.from.resize(ends_.size());
+    lent_.clear(ends_.size());
     for (auto& places : needed_) places = ascending(std::move(places));
     for (std::size_t r = 0; r < ends_.size(); ++r) {
       for (const Index place : needed_[r])

@@ -8,6 +8,11 @@
 
 namespace strike::detail {
 
+/// A range of places, [first, last).
+struct Places {
+  std::size_t first = 0, last = 0;
+};
+
 /// A thread's unit of work: a range of blocks, the places of the nodes that it owns, which no patch before it has, and
 /// those of its ghosts, copies of nodes that it shares with patches before.
 struct Patch {
@@ -107,19 +112,22 @@ class Patches {
     return static_cast<std::size_t>(std::lower_bound(groups_.begin(), groups_.end() - 1, place, is_before) -
                                     groups_.begin());
   }
-  /// Adds the forces (and moments) on the ghosts to those on the nodes, patch after patch; of those that have ghosts
-  /// the `begin`th to the one before the `end`th.
+  /// Adds the forces (and moments) on the ghosts to those on the nodes, patch after patch, of a range of the nodes that
+  /// have ghosts.
   template <class N, class Execution>
-  void store_ghosts(N& nodes, const Execution& execution, std::size_t begin, std::size_t end) const {
+  void store_ghosts(N& nodes, const Execution& execution, const Places& shared) const {
     using Sum = std::decay_t<decltype(nodes.force()[0])>;
-    for_each_chunk(execution, end - begin, [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t k = begin + first; k < begin + last; ++k)
-        for (Index i = groups_[k]; i < groups_[k + 1]; ++i) {
-          const Index node = sources_[by_source_[i]], ghost = first_ghost_ + by_source_[i];
-          nodes.force()[node] += Sum(nodes.motion().force[ghost]);
-          if constexpr (N::nodes_turn) nodes.moment()[node] += Sum(nodes.motion().moment[ghost]);
-        }
+    for_each_chunk(execution, shared.last - shared.first, [&](std::size_t, std::size_t first, std::size_t last) {
+      each_ghost({shared.first + first, shared.first + last}, [&](Index node, Index ghost) {
+        nodes.force()[node] += Sum(nodes.motion().force[ghost]);
+        if constexpr (N::nodes_turn) nodes.moment()[node] += Sum(nodes.motion().moment[ghost]);
+      });
     });
+  }
+  /// The same of a field of numbers.
+  template <class Field>
+  void gather(Field& field, const Places& shared) const {
+    each_ghost(shared, [&](Index node, Index ghost) { field[node] += field[ghost]; });
   }
 
   /// For the product of a matrix with a field of vectors: copies to the ghosts of a patch the vectors of their nodes
@@ -140,6 +148,12 @@ class Patches {
   }
 
  private:
+  /// f(node, ghost) for a range of the nodes that have ghosts.
+  template <class F>
+  void each_ghost(const Places& shared, const F& f) const {
+    for (std::size_t k = shared.first; k < shared.last; ++k)
+      for (Index i = groups_[k]; i < groups_[k + 1]; ++i) f(sources_[by_source_[i]], first_ghost_ + by_source_[i]);
+  }
   Index next_ghost() const { return first_ghost_ + static_cast<Index>(sources_.size()); }
   template <class N>
   auto origin(const Patch& patch, const N& nodes) const {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/dynamics/advance.hpp>
 #include <strike/dynamics/cloud.hpp>
 #include <strike/dynamics/deal.hpp>
@@ -62,7 +64,7 @@ class RunningPart {
         ranks_(nodes.ranks()) {
     detail::check_material(elements_.material, number);
     lay_out(part.cells, nodes);
-    shared_ = {0, patches_.shared()};
+    own_shared_ = {0, patches_.shared()};
     deal_ = can_be_dealt && place ? detail::Deal(patches_, size(), width, *place, ranks_) : detail::Deal(patches_);
     if constexpr (sees_neighbours) cloud_ = detail::Cloud<T>(elements_, part.cells.volumes);
     outcomes_.resize(patches_.size());
@@ -92,8 +94,7 @@ class RunningPart {
       const double begin = now();
       execution.for_each(deal_.size(), [&](std::size_t k) { add_volumes(deal_.first() + k, nodes); });
       seconds_ += now() - begin;
-      volume_.exchange(deal_, ranks_);
-      volume_.update(patches_);
+      update_volumes();
     }
     const double begin = now();
     if constexpr (sees_neighbours)
@@ -108,7 +109,7 @@ class RunningPart {
       });
     seconds_ += now() - begin;
     exchange(nodes);
-    patches_.store_ghosts(nodes, execution, shared_.first, shared_.last);
+    patches_.store_ghosts(nodes, execution, own_shared_);
     return book(nodes, ledger);
   }
 
@@ -220,26 +221,27 @@ class RunningPart {
   /// The processes of the run, and the patches that each works on.
   const Ranks& ranks() const { return ranks_; }
   const detail::Deal& deal() const { return deal_; }
-  /// Its nodes may be shared: elements do not see more of them than their own, and none of them ends.
-  bool can_share_nodes() const { return deal_.is_dealt() && !averages_volume && !erodes; }
+  /// Its nodes may be shared: elements do not see more of them than their own.
+  bool can_share_nodes() const { return deal_.is_dealt(); }
   /// Tells what the elements of each process need, ...
   void add_needs(detail::NodeShare& share) const {
     each_named([&](std::size_t rank, Index place, Index) { share.need(rank, place); });
   }
-  /// ... and finds to whom the forces on nodes are due.
-  void share_nodes(const detail::NodeShare& share) {
-    for (detail::PlaceLists* lists : {&due_, &due_ghosts_})
-      lists->to.assign(ranks_.size(), {}), lists->from.assign(ranks_.size(), {});
+  /// ... and finds to whom the forces on nodes are due, and who waits for what they add up to.
+  void share_nodes(const std::shared_ptr<const detail::NodeShare>& share) {
+    share_ = share;
+    for (detail::PlaceLists* lists : {&due_, &due_ghosts_, &told_}) lists->clear(ranks_.size());
     each_named([&](std::size_t rank, Index place, Index at) {
-      const std::size_t owner = share.owner(place);
+      const std::size_t owner = share_->owner(place);
       if (owner == rank) return;
-      detail::PlaceLists& lists = at == place ? due_ : due_ghosts_;
-      if (rank == ranks_.rank()) lists.to[owner].push_back(at);
-      if (owner == ranks_.rank()) lists.from[rank].push_back(at);
+      detail::PlaceLists& due = at == place ? due_ : due_ghosts_;
+      if (rank == ranks_.rank()) due.to[owner].push_back(at), told_.from[owner].push_back(place);
+      if (owner == ranks_.rank()) due.from[rank].push_back(at), told_.to[rank].push_back(place);
     });
-    const auto [first, last] = share.own();
-    shared_ = {patches_.shared_before(first), patches_.shared_before(last)};
-    is_shared_ = true;
+    for (auto* lists : {&told_.to, &told_.from})
+      for (std::vector<Index>& places : *lists) places = detail::ascending(std::move(places));
+    const auto [first, last] = share_->own();
+    own_shared_ = {patches_.shared_before(first), patches_.shared_before(last)};
   }
   /// Leaves the states of the elements of other processes to them.
   void keep_own() {
@@ -251,6 +253,8 @@ class RunningPart {
   void serialize(Archive& archive) {
     archive.same(detail::name_of<RunningPart>(), elements_.size, elements_.order);
     serialize_blocks(archive);
+    if constexpr (averages_volume)
+      if (share_) bring_volumes();
     archive(volume_, cloud_, births_, newly_deleted_, deletions_);
   }
 
@@ -375,12 +379,33 @@ class RunningPart {
     patches_.load(patches_[p], nodes);
     detail::add_volumes(elements_, patches_[p], nodes.motion(), volume_);
   }
+  /// Adds them up there, of which all patches, or those that this process works on, learn the ratios.
+  void update_volumes() {
+    if (!share_) {
+      volume_.exchange(deal_, ranks_);
+      volume_.update(patches_);
+      return;
+    }
+    volume_.each_sum([&](auto& field) { ranks_.trade(due_, field, due_ghosts_, field); });
+    volume_.update(patches_, share_->own(), own_shared_);
+    ranks_.trade(told_, volume_.ratio());
+    for (std::size_t p = deal_.first(); p < deal_.last(); ++p) patches_.refresh(patches_[p], volume_.ratio());
+  }
+  /// Gives all processes the volumes of each.
+  void bring_volumes() {
+    share_->exchange(ranks_, volume_.ratio());
+    for (std::size_t p = 0; p < patches_.size(); ++p) patches_.refresh(patches_[p], volume_.ratio());
+    if constexpr (Elements::loses_elements) {
+      share_->exchange(ranks_, volume_.reference());
+      deal_.exchange_ghosts(ranks_, volume_.reference());
+    }
+  }
   /// Gives all processes the outcomes of the patches of each, and the forces, or these to those that own the nodes.
   void exchange(Nodes& nodes) {
     if (!deal_.is_dealt()) return;
     deal_.exchange_patches(ranks_, outcomes_);
     auto& motion = nodes.motion();
-    if (is_shared_) {
+    if (share_) {
       if constexpr (Nodes::nodes_turn)
         ranks_.trade(due_, nodes.force(), due_ghosts_, motion.force, due_, nodes.moment(), due_ghosts_, motion.moment);
       else
@@ -459,9 +484,9 @@ class RunningPart {
   Elements elements_;
   [[no_unique_address]] Ranks ranks_;
   detail::Deal deal_;
-  bool is_shared_ = false;
-  detail::PlaceLists due_, due_ghosts_;  // forces, from other processes and to them
-  detail::Places shared_{};              // of the nodes with ghosts, those that are own
+  std::shared_ptr<const detail::NodeShare> share_;  // of the nodes, if processes share them
+  detail::PlaceLists due_, due_ghosts_, told_;      // what is added up, to the owners of nodes and at ghosts, and the sums
+  detail::Places own_shared_;                       // of the nodes with ghosts, those that are own
   double mass_ = 0, seconds_ = 0;
   detail::Patches patches_;
   std::vector<detail::Outcome> outcomes_;

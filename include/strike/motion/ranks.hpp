@@ -25,6 +25,8 @@ namespace detail {
 /// Places of a field by process: whose numbers are sent to each, and come from it.
 struct PlaceLists {
   std::vector<std::vector<Index>> to, from;
+
+  void clear(std::size_t ranks) { to.assign(ranks, {}), from.assign(ranks, {}); }
 };
 
 }  // namespace detail
