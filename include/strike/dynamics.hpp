@@ -2,7 +2,6 @@
 #include <strike/dynamics/advance.hpp>
 #include <strike/dynamics/arrangement.hpp>
 #include <strike/dynamics/balance.hpp>
-#include <strike/dynamics/blocks.hpp>
 #include <strike/dynamics/deal.hpp>
 #include <strike/dynamics/dynamic_relaxation.hpp>
 #include <strike/dynamics/elements.hpp>
@@ -14,11 +13,11 @@
 #include <strike/dynamics/global_step.hpp>
 #include <strike/dynamics/ill_formed_run.hpp>
 #include <strike/dynamics/item.hpp>
+#include <strike/dynamics/kept.hpp>
 #include <strike/dynamics/lanczos.hpp>
 #include <strike/dynamics/mass_scaling.hpp>
 #include <strike/dynamics/method.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
-#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/observer.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/part_checks.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+#include <strike/motion/by_number.hpp>
 #include <strike/motion/central_differences.hpp>
 #include <strike/motion/clock.hpp>
 #include <strike/motion/execution.hpp>
@@ -6,6 +7,7 @@
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/ledger.hpp>
 #include <strike/motion/motion.hpp>
+#include <strike/motion/node_share.hpp>
 #include <strike/motion/nodes.hpp>
 #include <strike/motion/openmp.hpp>
 #include <strike/motion/ranks.hpp>

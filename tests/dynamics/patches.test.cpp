@@ -94,7 +94,7 @@ TEMPLATE_TEST_CASE("forces on own nodes and ghosts add up to those on the nodes"
       for (auto [k, last] = bar.corners_of(p); k < last; ++k) bar.nodes.motion().force[bar.corners[k]] += 1;
       bar.patches.store(bar.patches[p], bar.nodes);
     }
-    bar.patches.store_ghosts(bar.nodes, Serial{}, {0, bar.patches.shared()});
+    bar.patches.store_ghosts(bar.nodes, Serial{});
   }
   for (std::size_t i = 0; i < valence.size(); ++i) REQUIRE(bar.nodes.f(i).z() == valence[i]);
 }

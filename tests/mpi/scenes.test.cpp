@@ -136,6 +136,18 @@ TEST_CASE("processes share the nodes of tetrahedra and of elements that erode") 
   check_shared(whole);
 }
 
+TEST_CASE("plates beside their nodes, some of which may touch a wall") {
+  const Mesh plate = sheet({40, 40}, [](double s, double t) { return Eigen::Vector3d(4 * s, 4 * t, 0); });
+  const auto near = nodes_where(plate.nodes, [](const Eigen::Vector3d& x) { return std::abs(x.x() - x.y()) < .2; });
+  const auto scene = [&] {
+    return Scene{plate.nodes, Part{Plate4{}, Homogeneous{PlaneStress{copper}, .05, Offset{.02}}, plate.quadrilaterals},
+                 InitialVelocity{{1, 0, -20}}, RigidWall{{2, 2, -.015}, {.05, -.1, 1}, near, .1}};
+  };
+  auto [run, alone] = testing::runs_alike(scene, 100);
+  CHECK(run.energy().friction > 0);
+  check_shared(run);
+}
+
 TEST_CASE("more processes than patches, derivatives, and a copy of a run") {
   const Mesh pair = box({.size = {1, 1, 2}, .cells = {1, 1, 2}});
   using D = Dual<Pack<double, 4>, 1>;

@@ -65,7 +65,11 @@ class Contact {
     }
   }
 
-  const std::vector<Index>& nodes_named() const { return all_.numbers(); }
+  std::vector<Index> nodes_named() const { return all_.nodes_named(); }
+  template <class N>
+  void find_places(const N& nodes) {
+    all_.find_places(nodes);
+  }
 
   template <class N, class Ledger, Execution E = Serial>
   void resolve_contact(N& nodes, const Step& step, Ledger& ledger, const E& execution = {})

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <strike/ascending.hpp>
 #include <strike/contact/contact_bodies.hpp>
 #include <strike/contact/plates_beside.hpp>
 #include <strike/error.hpp>
@@ -44,7 +45,8 @@ class ContactNodes {
       throw Error(detail::joined({"strike: a contact names node ", std::to_string(numbers.back()), ", but there are ",
                                   std::to_string(nodes.size()), " nodes; count them from 0."}));
     number_ = std::move(numbers);
-    for (const Index i : number_) place_.push_back(nodes.place(i));
+    place_.resize(number_.size());
+    find_places(nodes);
     x.resize(number_.size());
     x.insert(x.end(), points.begin(), points.end());
     x_before = x;
@@ -59,7 +61,7 @@ class ContactNodes {
             body.motion->largest_response((nodes.x(number_[i]).template cast<double>() - body.motion->centre()).norm());
     spring_.assign(x.size(), 0.0);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      beside_.add(nodes, p, parts[p], [&](Index number) {
+      beside_.add(p, parts[p], [&](Index number) {
         const Index i = local(number);
         return i < number_.size() && number_[i] == number ? i : detail::PlatesBeside::none;
       });
@@ -84,6 +86,13 @@ class ContactNodes {
     touched_.clear();
   }
 
+  /// The numbers of all nodes that it reads or changes.
+  std::vector<Index> nodes_named() const { return detail::ascending(beside_.nodes_named(), number_); }
+  /// Finds where the nodes are in memory.
+  template <class N>
+  void find_places(const N& nodes) {
+    for (std::size_t i = 0; i < number_.size(); ++i) place_[i] = nodes.place(number_[i]);
+  }
   /// Plates of a part that are not alive no longer shift their nodes.
   void remove(std::size_t part, const std::vector<bool>& alive) { beside_.remove(part, alive); }
 

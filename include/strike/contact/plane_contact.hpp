@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <strike/ascending.hpp>
 #include <strike/contact/concepts.hpp>
 #include <strike/contact/friction.hpp>
 #include <strike/contact/plates_beside.hpp>
@@ -56,7 +57,8 @@ class PlaneContact {
       places_.resize(nodes.size());
       std::iota(places_.begin(), places_.end(), Index{0});
     }
-    for (const Index i : nodes_) nodes.check_number(i), places_.push_back(nodes.place(i));
+    for (const Index i : nodes_) nodes.check_number(i);
+    if (!everywhere_) find_places(nodes);
     find_plates(nodes, parts);
     std::vector<Eigen::Vector3d> all;
     for (const Index place : places_) all.push_back(position(nodes, place));
@@ -89,8 +91,13 @@ class PlaneContact {
     return step;
   }
 
+  template <class N>
+  void find_places(const N& nodes) {
+    places_.clear();
+    for (const Index i : nodes_) places_.push_back(nodes.place(i));
+  }
   std::vector<Index> nodes_named() const {
-    if (!everywhere_) return nodes_;
+    if (!everywhere_) return detail::ascending(beside_.nodes_named(), nodes_);
     std::vector<Index> all(places_.size());
     std::iota(all.begin(), all.end(), Index{0});
     return all;
@@ -237,7 +244,7 @@ class PlaneContact {
     std::vector<double> sum(places_.size(), 0.0), plates(places_.size(), 0.0);
     double thickest = 0;
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      beside_.add(nodes, p, parts[p], [&](Index number) { return entry[number]; });
+      beside_.add(p, parts[p], [&](Index number) { return entry[number]; });
       if (thickness_ || !(parts[p].thickness > 0)) continue;
       for (const Face& face : parts[p].faces)
         for (const Index i : face.nodes)

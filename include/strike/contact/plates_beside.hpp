@@ -21,18 +21,23 @@ class PlatesBeside {
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   /// Adds those of a part; `entry_of(number)` is the place of a node in the list, or none.
-  template <class N, class EntryOf>
-  void add(const N& nodes, std::size_t part, const PartFaces& plates, const EntryOf& entry_of) {
+  template <class EntryOf>
+  void add(std::size_t part, const PartFaces& plates, const EntryOf& entry_of) {
     if (plates.offset == 0) return;
     for (const Face& face : plates.faces) {
-      Plate plate{{}, {}, plates.offset, part, face.cell};
-      for (std::size_t k = 0; k < 4; ++k)
-        plate.places[k] = nodes.place(face.nodes[k]), plate.entries[k] = entry_of(face.nodes[k]);
+      Plate plate{face.nodes, {}, plates.offset, part, face.cell};
+      for (std::size_t k = 0; k < 4; ++k) plate.entries[k] = entry_of(face.nodes[k]);
       if (std::any_of(plate.entries.begin(), plate.entries.end(), [](Index entry) { return entry != none; }))
         plates_.push_back(plate);
     }
   }
   bool empty() const { return plates_.empty(); }
+  /// The numbers of all their nodes.
+  std::vector<Index> nodes_named() const {
+    std::vector<Index> all;
+    for (const Plate& plate : plates_) all.insert(all.end(), plate.nodes.begin(), plate.nodes.end());
+    return all;
+  }
   /// Plates that are not alive no longer shift their nodes.
   void remove(std::size_t part, const std::vector<bool>& alive) {
     std::erase_if(plates_, [&](const Plate& plate) { return plate.part == part && !alive.at(plate.cell); });
@@ -47,7 +52,7 @@ class PlatesBeside {
     std::vector<Vector> sum(size, Vector::Zero());
     std::vector<int> plates(size, 0);
     for (const Plate& plate : plates_) {
-      const auto at = [&](std::size_t k) -> Vector { return N::vector_of(nodes.position()[plate.places[k]]); };
+      const auto at = [&](std::size_t k) { return nodes.x(plate.nodes[k]); };
       const Vector area = cross<Number>(at(2) - at(0), at(3) - at(1));
       const Number squared = area.dot(area);
       const Vector along = squared > 0 ? Vector((plate.offset / sqrt(squared)) * area) : Vector(Vector::Zero());
@@ -66,9 +71,8 @@ class PlatesBeside {
 
  private:
   struct Plate {
-    std::array<Index, 4> places;   // of its nodes in memory
-    std::array<Index, 4> entries;  // in the list, or none
-    double offset;                 // [length]
+    std::array<Index, 4> nodes, entries;  // their numbers, and places in the list, or none
+    double offset;                        // [length]
     std::size_t part;
     Index cell;
   };

@@ -137,20 +137,18 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
 
   void kick() {
     if constexpr (Items::has_ranks)
-      if (shares_nodes()) return kick_shared();
+      if (this->share_) return kick_shared();
     ledger_.kinetic = detail::kick(this->nodes_, step_.kick(), execution_, kinetic_);
   }
 
-  /// The first step knows the forces at all nodes.
-  bool shares_nodes() const { return this->share_ && step_.number > 1; }
   /// Each process its own nodes, and all those that items name.
   void kick_shared() {
     auto& nodes = this->nodes_;
-    nodes.know_all(false);
+    nodes.leave_others();
     const Places own = this->share_->own();
-    const std::size_t first_chunk = chunks(own.first);
     for_each_chunk(execution_, own.last - own.first, [&](std::size_t k, std::size_t first, std::size_t last) {
-      kinetic_[first_chunk + k] = detail::kick(nodes, step_.kick(), own.first + first, own.first + last);
+      kinetic_[this->share_->first_chunk() + k] =
+          detail::kick(nodes, step_.kick(), own.first + first, own.first + last);
     });
     for (const auto& [first, last] : this->share_->named_of_others()) detail::kick(nodes, step_.kick(), first, last);
     this->share_->exchange_chunks(nodes.ranks(), kinetic_);
@@ -158,12 +156,13 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   }
   void drift_nodes() {
     if constexpr (Items::has_ranks)
-      if (shares_nodes()) return drift_shared();
+      if (this->share_) return drift_shared();
     detail::drift(this->nodes_, step_.dt, execution_);
   }
   /// And copies of those that its elements name.
   void drift_shared() {
     auto& nodes = this->nodes_;
+    nodes.leave_others();
     const PlaceLists& lent = this->share_->lent();
     if constexpr (Nodes::nodes_turn)
       nodes.ranks().trade(lent, nodes.velocity(), lent, nodes.angular_velocity());
@@ -196,6 +195,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   /// Closes the balance at the time n and starts the next.
   void close_balance() {
     if (step_.number == 1) {
+      this->know_all_nodes();
       ledger_.kinetic = kinetic_energy_at_start(ledger_.kinetic, step_.kick(), force_power(this->nodes_));
       ledger_.initial += ledger_.kinetic - energy_.kinetic;
     }
@@ -250,7 +250,6 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
     }
     if constexpr (Items::has_ranks)
       if (this->share_) {
-        this->nodes_.know_all(false);
         this->share_->exchange_named(this->nodes_.ranks(), this->nodes_.force());
         if constexpr (Nodes::nodes_turn) this->share_->exchange_named(this->nodes_.ranks(), this->nodes_.moment());
       }

@@ -58,6 +58,9 @@ class Deal {
   /// Number of nodes that patches of ranks up to one are the first to name.
   std::size_t nodes_up_to(std::size_t rank) const { return nodes_[rank]; }
 
+  /// Number of places of the nodes and ghosts of the parts up to this one.
+  std::size_t places() const { return first_ghost_ + ghosts_.back(); }
+
   /// Gives all processes a list patch by patch, ...
   template <class Ranks, class T>
   void exchange_patches(const Ranks& ranks, std::vector<T>& list) const {

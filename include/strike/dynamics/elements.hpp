@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <strike/dynamics/blocks.hpp>
 #include <strike/dynamics/debris.hpp>
+#include <strike/dynamics/kept.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/removal.hpp>
 #include <strike/element/element.hpp>
@@ -104,8 +104,8 @@ struct Elements {
   [[no_unique_address]] Removal removal;
   std::size_t size;    ///< number of elements
   std::size_t number;  ///< of the part among those of the scene, from 0
-  std::vector<Index> order;
-  Blocks<Block> blocks{};
+  Kept<Index> order;
+  Kept<Block> blocks{};
   [[no_unique_address]] std::conditional_t<merges, std::vector<MergedCorners<T>>, Nothing> merged{};  ///< of blocks
 
   /// Elements of block b have corners in the same node.
@@ -172,12 +172,13 @@ struct Elements {
     return in_lanes;
   }
 
-  /// Error: there is no element of this number.
+  /// The size of the part, if other processes have the element. Error: there is no element of this number.
   std::size_t place_of(std::size_t e) const {
     if (e >= size)
       throw Error(joined({"strike: part ", std::to_string(number), " has no element ", std::to_string(e),
                           "; count its ", std::to_string(size), " elements from 0."}));
-    return static_cast<std::size_t>(std::find(order.begin(), order.end(), e) - order.begin());
+    const auto found = std::find(order.begin(), order.end(), e);
+    return found == order.end() ? size : order.first() + static_cast<std::size_t>(found - order.begin());
   }
   /// The numbers of the nodes of the element at a place.
   template <class N>

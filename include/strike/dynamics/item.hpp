@@ -39,7 +39,9 @@ namespace strike {
 // 10. nodes_named() -> std::vector<Index>    the numbers of all nodes that its functions 2 to 5 read or change, known
 //                                            after begin: where processes share the nodes, all have these; without it
 //                                            all have all
-// 11. LoadHistory                             the type of what it calls as history(time) for a number, if it does
+// 11. find_places(nodes)                     when they begin to, after the start: nodes have come to other places in
+//                                            memory, of which an item may keep nodes.place(i)
+// 12. LoadHistory                             the type of what it calls as history(time) for a number, if it does
 //
 // Laws. Work that enters or leaves the nodes is booked, by the ledger or by power. The result does not depend on how
 // nodes lie in memory: an item names them by their numbers. An item that changes no velocity and no force changes no

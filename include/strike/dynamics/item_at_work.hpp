@@ -8,7 +8,6 @@
 
 #include <strike/dynamics/faces_of_part.hpp>
 #include <strike/dynamics/item.hpp>
-#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/not_finite.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/plate_stretch.hpp>
@@ -42,6 +41,7 @@ struct ItemFunctions {
 
   // Of an item that acts on nodes in a step: those that it names; null: it may name any.
   std::vector<Index> (*nodes_named)(const void*) = nullptr;
+  void (*find_places)(void*, const Nodes&) = nullptr;
 
   // Of a RigidBody.
   void (*add_body)(void*, Nodes&) = nullptr;
@@ -66,7 +66,7 @@ struct ItemFunctions {
   const Deal& (*deal)(const void*) = nullptr;
   bool (*can_share_nodes)(const void*) = nullptr;
   void (*add_needs)(const void*, NodeShare&) = nullptr;
-  void (*share_nodes)(void*, const std::shared_ptr<const NodeShare>&) = nullptr;
+  void (*share_nodes)(void*, const std::shared_ptr<const NodeShare>&, std::vector<Index>&) = nullptr;
 
   // Sentences of TriedNodes on an item, some with its place in the scene.
   std::string (*fault_of_elements)(const void*, const TriedNodes<Nodes>&) = nullptr;
@@ -104,10 +104,13 @@ struct FunctionsOf {
   static std::string warning(const void* item) { return at(item).warning(); }
 
   static std::vector<Index> nodes_named(const void* item) { return at(item).nodes_named(); }
+  static void find_places(void* item, const Nodes& nodes) { at(item).find_places(nodes); }
   static const Deal& deal(const void* item) { return at(item).deal(); }
   static bool can_share_nodes(const void* item) { return at(item).can_share_nodes(); }
   static void add_needs(const void* item, NodeShare& share) { at(item).add_needs(share); }
-  static void share_nodes(void* item, const std::shared_ptr<const NodeShare>& share) { at(item).share_nodes(share); }
+  static void share_nodes(void* item, const std::shared_ptr<const NodeShare>& share, std::vector<Index>& ghosts) {
+    at(item).share_nodes(share, ghosts);
+  }
 
   static void add_body(void* item, Nodes& nodes) { at(item).add_body(nodes); }
   static void start_body(void* item, Nodes& nodes) { at(item).start_body(nodes); }
@@ -183,6 +186,8 @@ struct FunctionsOf {
         all.add_faces = &add_faces;
       }
       if constexpr (requires(const Item& item) { item.nodes_named(); }) all.nodes_named = &nodes_named;
+      if constexpr (requires(Item& item, const Nodes& nodes) { item.find_places(nodes); })
+        all.find_places = &find_places;
     }
     return all;
   }

@@ -13,13 +13,13 @@
 
 #include <strike/ascending.hpp>
 #include <strike/dynamics/item_at_work.hpp>
-#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/not_finite.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
 #include <strike/mesh/part_faces.hpp>
 #include <strike/motion/central_differences.hpp>
+#include <strike/motion/node_share.hpp>
 #include <strike/process.hpp>
 #include <strike/text.hpp>
 
@@ -188,20 +188,16 @@ class ItemsAtWork {
       if (one.can->is_part) one.can->add_needs(one.item, *share);
     share->finish();
     share_ = share;
+    std::vector<Index> ghosts;
     for (const Item& one : listed_)
-      if (one.can->is_part) one.can->share_nodes(one.item, share_);
-    nodes_.set_known(share_->known(), share_->chunk_ends());
+      if (one.can->is_part) one.can->share_nodes(one.item, share_, ghosts);
+    nodes_.share(share_, ghosts);
+    for (const Item& one : listed_)
+      if (one.can->find_places) one.can->find_places(one.item, nodes_);
   }
   /// Brings the nodes of other processes.
   void know_all_nodes() const {
-    if constexpr (has_ranks) {
-      if (nodes_.knows_all()) return;
-      Nodes& nodes = const_cast<Nodes&>(nodes_);
-      const auto bring = [&](auto& field) { share_->exchange(nodes.ranks(), field); };
-      bring(nodes.position()), bring(nodes.velocity()), bring(nodes.force());
-      if constexpr (Nodes::nodes_turn) bring(nodes.angular_velocity()), bring(nodes.moment());
-      nodes.know_all(true);
-    }
+    if constexpr (has_ranks) const_cast<Nodes&>(nodes_).bring_others();
   }
 
   template <class F>
@@ -214,7 +210,8 @@ class ItemsAtWork {
   Nodes nodes_;
   std::vector<Item> listed_;
   struct Nothing {};
-  [[no_unique_address]] std::conditional_t<has_ranks, std::shared_ptr<const NodeShare>, Nothing> share_;  // if they share the nodes
+  [[no_unique_address]] std::conditional_t<has_ranks, std::shared_ptr<const NodeShare>, Nothing>
+      share_;  // if they share the nodes
 
  private:
   std::vector<std::string> stretch_warnings() const {

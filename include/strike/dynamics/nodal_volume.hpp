@@ -30,11 +30,20 @@ class NodalVolume {
     add<T, n>(volume, volume_, nodes, count);
     add<T, n>(reference, reference_, nodes, count);
   }
-  /// f(field) for what patches have added.
+  /// f(field) for what patches have added, ...
   template <class F>
   void each_sum(const F& f) {
     f(volume_);
     if constexpr (loses_elements) f(reference_);
+  }
+  /// ... and f(field, its value where no element adds) for all, of which the first two are remembered.
+  template <class F>
+  void each_remembered(const F& f) {
+    f(reference_, Real(0)), f(ratio_, Real(1));
+  }
+  template <class F>
+  void each_field(const F& f) {
+    each_remembered(f), f(volume_, Real(0));
   }
   /// Gives all processes what the patches of each have added.
   template <class Deal, class Ranks>
@@ -43,23 +52,22 @@ class NodalVolume {
   }
   /// Adds up what patches have of a node, patch after patch, as the reference.
   void begin(const Patches& patches) {
-    patches.gather(volume_, {0, patches.shared()});
+    patches.gather(volume_);
     reference_ = volume_;
   }
   /// The same as the present volumes, of which every patch learns the ratios, ...
   void update(const Patches& patches) {
-    update(patches, {0, ratio_.size()}, {0, patches.shared()});
-    for (std::size_t p = 0; p < patches.size(); ++p) patches.refresh(patches[p], ratio_);
+    update(patches, {0, patches.size()}, [](const auto&) {});
   }
-  /// ... or of a range of places alone, among them a range of those that have ghosts.
-  void update(const Patches& patches, const Places& nodes, const Places& shared) {
-    each_sum([&](std::vector<Real>& field) { patches.gather(field, shared); });
-    for (std::size_t i = nodes.first; i < nodes.last; ++i)
+  /// ... or those in a range, when `tell(ratio)` has brought those of other processes.
+  template <class Tell>
+  void update(const Patches& patches, const Places& own, const Tell& tell) {
+    each_sum([&](std::vector<Real>& field) { patches.gather(field); });
+    for (std::size_t i = 0; i < ratio_.size(); ++i)
       if (reference_[i] > 0) ratio_[i] = volume_[i] / reference_[i];
+    tell(ratio_);
+    for (std::size_t p = own.first; p < own.last; ++p) patches.refresh(patches[p], ratio_);
   }
-  /// The ratio and the reference, place by place.
-  std::vector<Real>& ratio() { return ratio_; }
-  std::vector<Real>& reference() { return reference_; }
   /// The mean of J_a over the nodes of the elements of a block.
   template <class T, std::size_t n>
   T mean(const BlockNodes<n, lanes<T>>& nodes) const {
@@ -67,11 +75,6 @@ class NodalVolume {
     for (const auto& corner : nodes)
       for (std::size_t l = 0; l < lanes<T>; ++l) set_lane(sum, l, lane(sum, l) + ratio_[corner[l]]);
     return T(1.0 / static_cast<double>(n)) * sum;
-  }
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(reference_, ratio_);
   }
 
  private:

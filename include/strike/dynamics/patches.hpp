@@ -1,17 +1,15 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <strike/mesh/mesh.hpp>
 #include <strike/motion/execution.hpp>
+#include <strike/motion/node_share.hpp>
+#include <strike/motion/ranks.hpp>
 
 namespace strike::detail {
-
-/// A range of places, [first, last).
-struct Places {
-  std::size_t first = 0, last = 0;
-};
 
 /// A thread's unit of work: a range of blocks, the places of the nodes that it owns, which no patch before it has, and
 /// those of its ghosts, copies of nodes that it shares with patches before.
@@ -34,7 +32,6 @@ class Patches {
     constexpr std::size_t smallest = 128, largest = 2048;  // elements: some for each thread, or enough for its cache
     const std::size_t size = std::clamp(blocks * lanes / 16, smallest, largest) / lanes;
     std::vector<Index> ghost(first_ghost), user(first_ghost);  // user: the patch that has the ghost, from 1
-    std::vector<Index> ghosts_before(first_ghost + 1);         // of nodes before one
     for (std::size_t first = 0; first < blocks; first += size) {
       const std::size_t last = std::min(first + size, blocks), block = corners.size() / blocks;
       Patch patch{first, last, first_node, first_node, next_ghost(), 0};
@@ -47,7 +44,6 @@ class Patches {
           user[place] = number;
           ghost[place] = next_ghost();
           sources_.push_back(place);
-          ++ghosts_before[place + 1];
         }
         place = ghost[place];
       }
@@ -55,13 +51,25 @@ class Patches {
       first_node = patch.last_node;
       patches_.push_back(patch);
     }
-    for (Index i = 0; i < first_ghost; ++i) {
-      if (ghosts_before[i + 1] > 0) groups_.push_back(ghosts_before[i]);
-      ghosts_before[i + 1] += ghosts_before[i];
+    group({0, first_ghost});
+  }
+  /// Leaves to other processes all patches but [first, last), and all nodes but those that are kept, of which the own
+  /// add up what their ghosts have. Of the ghosts these are kept, in ascending order, which begin at `first_ghost` now.
+  void keep(std::size_t first, std::size_t last, const std::vector<Index>& ghosts, Index first_ghost,
+            const NodeShare& share) {
+    const auto at = [&](Index ghost) {
+      return first_ghost + static_cast<Index>(std::lower_bound(ghosts.begin(), ghosts.end(), ghost) - ghosts.begin());
+    };
+    for (std::size_t p = first; p < last; ++p) {
+      Patch& patch = patches_[p];
+      const Index nodes = patch.last_node - patch.first_node;
+      patch.first_node = nodes > 0 ? share.here(patch.first_node) : 0, patch.last_node = patch.first_node + nodes;
+      patch.first_ghost = at(patch.first_ghost), patch.last_ghost = at(patch.last_ghost);
     }
-    groups_.push_back(static_cast<Index>(sources_.size()));
-    by_source_.resize(sources_.size());
-    for (Index g = 0; g < sources_.size(); ++g) by_source_[ghosts_before[sources_[g]]++] = g;
+    std::vector<Index> sources;
+    for (const Index ghost : ghosts) sources.push_back(share.here(source(ghost)));
+    sources_ = std::move(sources), first_ghost_ = first_ghost;
+    group(share.own());
   }
 
   /// Of each ghost, the place of its node; of all, in their order, or of one at its place.
@@ -105,20 +113,12 @@ class Patches {
         if constexpr (N::nodes_turn) nodes.moment()[i] = Sum(nodes.motion().moment[i]);
       }
   }
-  /// Number of nodes that have ghosts; of these, those at places before one.
-  std::size_t shared() const { return groups_.size() - 1; }
-  std::size_t shared_before(std::size_t place) const {
-    const auto is_before = [&](Index group, std::size_t at) { return sources_[by_source_[group]] < at; };
-    return static_cast<std::size_t>(std::lower_bound(groups_.begin(), groups_.end() - 1, place, is_before) -
-                                    groups_.begin());
-  }
-  /// Adds the forces (and moments) on the ghosts to those on the nodes, patch after patch, of a range of the nodes that
-  /// have ghosts.
+  /// Adds the forces (and moments) on the ghosts to those on the nodes, patch after patch.
   template <class N, class Execution>
-  void store_ghosts(N& nodes, const Execution& execution, const Places& shared) const {
+  void store_ghosts(N& nodes, const Execution& execution) const {
     using Sum = std::decay_t<decltype(nodes.force()[0])>;
-    for_each_chunk(execution, shared.last - shared.first, [&](std::size_t, std::size_t first, std::size_t last) {
-      each_ghost({shared.first + first, shared.first + last}, [&](Index node, Index ghost) {
+    for_each_chunk(execution, groups_.size() - 1, [&](std::size_t, std::size_t first, std::size_t last) {
+      each_ghost(first, last, [&](Index node, Index ghost) {
         nodes.force()[node] += Sum(nodes.motion().force[ghost]);
         if constexpr (N::nodes_turn) nodes.moment()[node] += Sum(nodes.motion().moment[ghost]);
       });
@@ -126,8 +126,8 @@ class Patches {
   }
   /// The same of a field of numbers.
   template <class Field>
-  void gather(Field& field, const Places& shared) const {
-    each_ghost(shared, [&](Index node, Index ghost) { field[node] += field[ghost]; });
+  void gather(Field& field) const {
+    each_ghost(0, groups_.size() - 1, [&](Index node, Index ghost) { field[node] += field[ghost]; });
   }
 
   /// For the product of a matrix with a field of vectors: copies to the ghosts of a patch the vectors of their nodes
@@ -148,11 +148,20 @@ class Patches {
   }
 
  private:
-  /// f(node, ghost) for a range of the nodes that have ghosts.
+  /// Puts the ghosts of a node together, of the nodes in a range of places.
+  void group(const Places& nodes) {
+    by_source_.clear(), groups_.clear();
+    for (Index g = 0; g < sources_.size(); ++g)
+      if (sources_[g] >= nodes.first && sources_[g] < nodes.last) by_source_.push_back(g);
+    std::stable_sort(by_source_.begin(), by_source_.end(), [&](Index a, Index b) { return sources_[a] < sources_[b]; });
+    for (Index k = 0; k < by_source_.size(); ++k)
+      if (k == 0 || sources_[by_source_[k]] != sources_[by_source_[k - 1]]) groups_.push_back(k);
+    groups_.push_back(static_cast<Index>(by_source_.size()));
+  }
+  /// f(node, ghost) for the ghosts of the `first`th to the one before the `last`th node that has any.
   template <class F>
-  void each_ghost(const Places& shared, const F& f) const {
-    for (std::size_t k = shared.first; k < shared.last; ++k)
-      for (Index i = groups_[k]; i < groups_[k + 1]; ++i) f(sources_[by_source_[i]], first_ghost_ + by_source_[i]);
+  void each_ghost(std::size_t first, std::size_t last, const F& f) const {
+    for (Index i = groups_[first]; i < groups_[last]; ++i) f(sources_[by_source_[i]], first_ghost_ + by_source_[i]);
   }
   Index next_ghost() const { return first_ghost_ + static_cast<Index>(sources_.size()); }
   template <class N>

@@ -21,13 +21,13 @@
 #include <strike/dynamics/elements.hpp>
 #include <strike/dynamics/mass_scaling.hpp>
 #include <strike/dynamics/nodal_volume.hpp>
-#include <strike/dynamics/node_share.hpp>
 #include <strike/dynamics/part.hpp>
 #include <strike/dynamics/part_checks.hpp>
 #include <strike/dynamics/patches.hpp>
 #include <strike/dynamics/plate_proportions.hpp>
 #include <strike/motion/gather.hpp>
 #include <strike/motion/ledger.hpp>
+#include <strike/motion/node_share.hpp>
 #include <strike/motion/nodes.hpp>
 #include <strike/motion/ranks.hpp>
 #include <strike/text.hpp>
@@ -59,12 +59,11 @@ class RunningPart {
   /// the part is dealt to the processes of the run, else each works on all of it.
   RunningPart(Part<E, M, n, Removal> part, Nodes& nodes, std::size_t number, std::vector<Index> order,
               const std::optional<detail::PlaceInScene>& place = {})
-      : elements_{std::move(part.element), std::move(part.material), part.removal, part.cells.size(), number,
-                  std::move(order)},
+      : elements_{std::move(part.element),       std::move(part.material), part.removal, part.cells.size(), number,
+                  detail::Kept(std::move(order))},
         ranks_(nodes.ranks()) {
     detail::check_material(elements_.material, number);
     lay_out(part.cells, nodes);
-    own_shared_ = {0, patches_.shared()};
     deal_ = can_be_dealt && place ? detail::Deal(patches_, size(), width, *place, ranks_) : detail::Deal(patches_);
     if constexpr (sees_neighbours) cloud_ = detail::Cloud<T>(elements_, part.cells.volumes);
     outcomes_.resize(patches_.size());
@@ -108,8 +107,9 @@ class RunningPart {
         patches_.store(patches_[p], nodes);
       });
     seconds_ += now() - begin;
+    name_slowest();
     exchange(nodes);
-    patches_.store_ghosts(nodes, execution, own_shared_);
+    patches_.store_ghosts(nodes, execution);
     return book(nodes, ledger);
   }
 
@@ -178,8 +178,8 @@ class RunningPart {
   const M& material() const { return elements_.material; }
 
   /// The blocks of elements in memory, the patches that they form, and the lanes of a block that hold elements.
-  const detail::Blocks<Block>& blocks() const { return elements_.blocks; }
-  detail::Blocks<Block>& blocks() { return elements_.blocks; }
+  const detail::Kept<Block>& blocks() const { return elements_.blocks; }
+  detail::Kept<Block>& blocks() { return elements_.blocks; }
   const detail::Patches& patches() const { return patches_; }
   std::size_t count(std::size_t b) const { return elements_.count(b); }
   /// The outcome of the last step for each patch.
@@ -227,35 +227,58 @@ class RunningPart {
   void add_needs(detail::NodeShare& share) const {
     each_named([&](std::size_t rank, Index place, Index) { share.need(rank, place); });
   }
-  /// ... and finds to whom the forces on nodes are due, and who waits for what they add up to.
-  void share_nodes(const std::shared_ptr<const detail::NodeShare>& share) {
+  /// ... and from now on knows the nodes that are kept alone, and ghosts of its own patches and of its own nodes, whose
+  /// places it adds to a list: where they are now the list says where they were. Finds to whom the forces on nodes are
+  /// due, and who waits for what they add up to.
+  void share_nodes(const std::shared_ptr<const detail::NodeShare>& share, std::vector<Index>& ghosts) {
     share_ = share;
     for (detail::PlaceLists* lists : {&due_, &due_ghosts_, &told_}) lists->clear(ranks_.size());
+    const auto first_ghost = static_cast<Index>(share_->size() + ghosts.size());
+    std::vector<Index> kept;
     each_named([&](std::size_t rank, Index place, Index at) {
       const std::size_t owner = share_->owner(place);
-      if (owner == rank) return;
-      detail::PlaceLists& due = at == place ? due_ : due_ghosts_;
-      if (rank == ranks_.rank()) due.to[owner].push_back(at), told_.from[owner].push_back(place);
-      if (owner == ranks_.rank()) due.from[rank].push_back(at), told_.to[rank].push_back(place);
+      const bool is_mine = rank == ranks_.rank(), is_ghost = at != place;
+      if (!is_mine && owner != ranks_.rank()) return;
+      if (is_ghost) kept.push_back(at);
+      if (rank == owner) return;
+      const Index here = share_->here(place), due = is_ghost ? first_ghost + static_cast<Index>(kept.size()) - 1 : here;
+      detail::PlaceLists& lists = is_ghost ? due_ghosts_ : due_;
+      if (is_mine)
+        lists.to[owner].push_back(due), told_.from[owner].push_back(here);
+      else
+        lists.from[rank].push_back(due), told_.to[rank].push_back(here);
     });
     for (auto* lists : {&told_.to, &told_.from})
       for (std::vector<Index>& places : *lists) places = detail::ascending(std::move(places));
-    const auto [first, last] = share_->own();
-    own_shared_ = {patches_.shared_before(first), patches_.shared_before(last)};
+    if (deal_.size() > 0) own_ghosts_ = {patches_[deal_.first()].first_ghost, patches_[deal_.last() - 1].last_ghost};
+    patches_.keep(deal_.first(), deal_.last(), kept, first_ghost, *share_);
+    if (deal_.size() > 0) ghosts_here_ = patches_[deal_.first()].first_ghost;
+    for (Block& block : elements_.blocks)
+      for (auto& corner : block.nodes)
+        for (Index& place : corner) place = deal_.size() > 0 ? here(place) : 0;
+    if constexpr (averages_volume)
+      volume_.each_field([&](auto& field, auto usual) {
+        std::decay_t<decltype(field)> of_kept(first_ghost + kept.size(), usual);
+        share_->each_kept([&](std::size_t place, std::size_t here) { of_kept[here] = field[place]; });
+        for (std::size_t k = 0; k < kept.size(); ++k) of_kept[first_ghost + k] = field[kept[k]];
+        field = std::move(of_kept);
+      });
+    ghosts.insert(ghosts.end(), kept.begin(), kept.end());
   }
   /// Leaves the states of the elements of other processes to them.
   void keep_own() {
     if (!deal_.is_dealt()) return;
     elements_.blocks.keep(first_block(deal_.first()), first_block(deal_.last()));
+    elements_.order.keep(first_place(), last_place());
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.same(detail::name_of<RunningPart>(), elements_.size, elements_.order);
+    archive.same(detail::name_of<RunningPart>(), elements_.size, order());
     serialize_blocks(archive);
     if constexpr (averages_volume)
-      if (share_) bring_volumes();
-    archive(volume_, cloud_, births_, newly_deleted_, deletions_);
+      volume_.each_remembered([&](auto& field, auto usual) { serialize_at_nodes(archive, field, usual); });
+    archive(cloud_, births_, newly_deleted_, deletions_);
   }
 
  private:
@@ -355,7 +378,11 @@ class RunningPart {
       if (is_mine)
         for (std::size_t b = first; b < last; ++b) {
           Block& block = blocks()[b];
-          append(nodes, &block.nodes, sizeof block.nodes);
+          auto places = block.nodes;
+          if (share_)
+            for (auto& corner : places)
+              for (Index& place : corner) place = among_all(place);
+          append(nodes, &places, sizeof places);
           if (!archive.reads())
             each_number(block, [&](const auto& some) { append(numbers, some.data(), some.size_bytes()); });
         }
@@ -379,26 +406,47 @@ class RunningPart {
     patches_.load(patches_[p], nodes);
     detail::add_volumes(elements_, patches_[p], nodes.motion(), volume_);
   }
-  /// Adds them up there, of which all patches, or those that this process works on, learn the ratios.
+  /// Adds them up there, of which patches learn the ratios.
   void update_volumes() {
-    if (!share_) {
+    if (share_) {
+      volume_.each_sum([&](auto& field) { ranks_.trade(due_, field, due_ghosts_, field); });
+      volume_.update(patches_, {deal_.first(), deal_.last()}, [&](auto& ratio) { ranks_.trade(told_, ratio); });
+    } else {
       volume_.exchange(deal_, ranks_);
       volume_.update(patches_);
-      return;
     }
-    volume_.each_sum([&](auto& field) { ranks_.trade(due_, field, due_ghosts_, field); });
-    volume_.update(patches_, share_->own(), own_shared_);
-    ranks_.trade(told_, volume_.ratio());
-    for (std::size_t p = deal_.first(); p < deal_.last(); ++p) patches_.refresh(patches_[p], volume_.ratio());
   }
-  /// Gives all processes the volumes of each.
-  void bring_volumes() {
-    share_->exchange(ranks_, volume_.ratio());
-    for (std::size_t p = 0; p < patches_.size(); ++p) patches_.refresh(patches_[p], volume_.ratio());
-    if constexpr (Elements::loses_elements) {
-      share_->exchange(ranks_, volume_.reference());
-      deal_.exchange_ghosts(ranks_, volume_.reference());
-    }
+  /// A field at the places of all nodes and ghosts, of which this process may keep some.
+  template <class Archive, class T1>
+  void serialize_at_nodes(Archive& archive, std::vector<T1>& field, T1 usual) {
+    if (!share_) return archive(field);
+    std::vector<T1> all(deal_.places(), usual);
+    const std::size_t ghosts = own_ghosts_.last - own_ghosts_.first;
+    const auto at = [](auto& list, std::size_t place) { return list.begin() + static_cast<std::ptrdiff_t>(place); };
+    std::copy(at(field, share_->own().first), at(field, share_->own().last), at(all, share_->own_among_all().first));
+    std::copy_n(at(field, ghosts_here_), ghosts, at(all, own_ghosts_.first));
+    share_->exchange(ranks_, all);
+    deal_.exchange_ghosts(ranks_, all);
+    archive(all);
+    if (!archive.reads()) return;
+    share_->each_kept([&](std::size_t place, std::size_t here) { field[here] = all[place]; });
+    std::copy_n(at(all, own_ghosts_.first), ghosts, at(field, ghosts_here_));
+  }
+  /// The place here of a node or ghost of an own patch by that among all, and back.
+  Index here(Index place) const {
+    return place < own_ghosts_.first ? share_->here(place)
+                                     : static_cast<Index>(place - own_ghosts_.first + ghosts_here_);
+  }
+  Index among_all(Index here) const {
+    return here < share_->size() ? share_->among_all(here)
+                                 : static_cast<Index>(here - ghosts_here_ + own_ghosts_.first);
+  }
+  /// The slowest elements of own patches, if any element is left there, by their numbers, which other processes have
+  /// not.
+  void name_slowest() {
+    for (std::size_t p = deal_.first(); p < deal_.last(); ++p)
+      if (detail::Outcome& outcome = outcomes_[p]; outcome.critical_rate > 0)
+        outcome.slowest = elements_.order[outcome.slowest];
   }
   /// Gives all processes the outcomes of the patches of each, and the forces, or these to those that own the nodes.
   void exchange(Nodes& nodes) {
@@ -430,21 +478,30 @@ class RunningPart {
         for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) f(r, patches_.source(g), g);
       }
   }
-  /// The places of the elements whose blocks are kept.
-  std::size_t first_place() const { return blocks().first() * width; }
-  std::size_t last_place() const { return std::min(blocks().last() * width, size()); }
+  /// The places of the elements of this process.
+  std::size_t first_place() const { return std::min(first_block(deal_.first()) * width, size()); }
+  std::size_t last_place() const { return std::min(first_block(deal_.last()) * width, size()); }
+  /// The numbers of all elements, place by place.
+  std::vector<Index> order() const {
+    std::vector<Index> all(size());
+    std::copy(elements_.order.begin(), elements_.order.end(),
+              all.begin() + static_cast<std::ptrdiff_t>(elements_.order.first()));
+    deal_.exchange_elements(ranks_, all);
+    return all;
+  }
   /// Values that each process has of its elements, place by place, by the numbers of all elements.
   template <class To = void, class Value>
   auto in_order(std::vector<Value> values) const {
     deal_.exchange_elements(ranks_, values);
+    const std::vector<Index> order = this->order();
     std::vector<std::conditional_t<std::is_void_v<To>, Value, To>> ordered(values.size());
-    for (std::size_t p = 0; p < size(); ++p) ordered[elements_.order[p]] = values[p];
+    for (std::size_t p = 0; p < size(); ++p) ordered[order[p]] = values[p];
     return ordered;
   }
   std::string describe_at(const Nodes& nodes, std::size_t place) const {
     if (!deal_.is_dealt()) return elements_.describe(nodes, place);
     const std::size_t b = place / width;
-    const bool is_mine = deal_.size() > 0 && b >= blocks().first() && b < blocks().last();
+    const bool is_mine = deal_.size() > 0 && place < size() && b >= blocks().first() && b < blocks().last();
     return detail::first_of_ranks(ranks_, is_mine ? elements_.describe(nodes, place) : std::string{});
   }
 
@@ -456,8 +513,7 @@ class RunningPart {
     for (const detail::Outcome& outcome : outcomes_) {
       if (!(outcome.inverted_volume > 0))
         detail::explain_inversion(describe_at(nodes, outcome.inverted), outcome.inverted_volume);
-      if (const double dt = 1 / outcome.critical_rate; dt < stable.dt)
-        stable.dt = dt, stable.element = elements_.order[outcome.slowest];
+      if (const double dt = 1 / outcome.critical_rate; dt < stable.dt) stable.dt = dt, stable.element = outcome.slowest;
       internal += outcome.internal_work;
       hourglass += outcome.hourglass_work;
       bulk_viscosity += outcome.bulk_viscosity_work;
@@ -484,9 +540,12 @@ class RunningPart {
   Elements elements_;
   [[no_unique_address]] Ranks ranks_;
   detail::Deal deal_;
-  std::shared_ptr<const detail::NodeShare> share_;  // of the nodes, if processes share them
-  detail::PlaceLists due_, due_ghosts_, told_;      // what is added up, to the owners of nodes and at ghosts, and the sums
-  detail::Places own_shared_;                       // of the nodes with ghosts, those that are own
+  // If processes share the nodes: what is added up, at nodes and at ghosts, goes to the owners of the nodes, and sums
+  // go back; and where ghosts of own patches are, among all and here.
+  std::shared_ptr<const detail::NodeShare> share_;
+  detail::PlaceLists due_, due_ghosts_, told_;
+  detail::Places own_ghosts_;
+  std::size_t ghosts_here_ = 0;
   double mass_ = 0, seconds_ = 0;
   detail::Patches patches_;
   std::vector<detail::Outcome> outcomes_;

@@ -9,6 +9,7 @@
 
 #include <strike/error.hpp>
 #include <strike/mesh/describe.hpp>
+#include <strike/motion/by_number.hpp>
 #include <strike/tensor/tensor.hpp>
 #include <strike/text.hpp>
 
@@ -24,8 +25,7 @@ class HeldDirections {
  public:
   /// See Nodes::hold; `place` is the position in messages.
   Eigen::Vector3d hold(std::size_t i, const Eigen::Vector3d& place, Eigen::Vector3d direction, Held how) {
-    if (i >= first_.size()) first_.resize(i + 1, none);
-    std::size_t* last = &first_[i];
+    std::size_t* last = &first_.at(i);
     for (; *last != none; last = &held_[*last].next) {
       const HeldDirection& h = held_[*last];
       const double overlap = h.direction.dot(direction);
@@ -43,7 +43,6 @@ class HeldDirections {
   /// The part of a vector along which node i is free to move.
   template <class Vector>
   Vector free(std::size_t i, Vector a) const {
-    if (i >= first_.size()) return a;
     for (std::size_t h = first_[i]; h != none; h = held_[h].next) a -= held_[h].direction.dot(a) * held_[h].direction;
     return a;
   }
@@ -56,7 +55,7 @@ class HeldDirections {
     std::size_t next;  ///< of the same node
   };
 
-  std::vector<std::size_t> first_;  ///< by node
+  ByNumber<std::size_t> first_{none};
   std::vector<HeldDirection> held_;
 };
 

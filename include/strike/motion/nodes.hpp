@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,9 +16,11 @@
 #include <strike/error.hpp>
 #include <strike/mesh/count.hpp>
 #include <strike/mesh/mesh.hpp>
+#include <strike/motion/by_number.hpp>
 #include <strike/motion/execution.hpp>
 #include <strike/motion/held_directions.hpp>
 #include <strike/motion/motion.hpp>
+#include <strike/motion/node_share.hpp>
 #include <strike/motion/ranks.hpp>
 #include <strike/motion/rigid_motion.hpp>
 #include <strike/tensor/tensor.hpp>
@@ -32,6 +35,7 @@ namespace strike {
 template <class Real, class ElementReal = Real, bool turn = false, class RanksOfRun = Alone>
 class Nodes {
   using Plain = RealOf<Real>;
+  static constexpr bool has_ranks = !std::is_same_v<RanksOfRun, Alone>;
 
  public:
   static constexpr bool elements_have_copy = !std::is_same_v<Real, ElementReal>, nodes_turn = turn;
@@ -42,7 +46,7 @@ class Nodes {
 
   /// `order` names every node once, in the order of their places.
   Nodes(const std::vector<Eigen::Vector3d>& X, std::vector<Index> order, const Ranks& ranks = {})
-      : own_(X.size()), mass_(X.size()), number_(std::move(order)), place_(X.size()), ranks_(ranks) {
+      : size_(X.size()), own_(X.size()), mass_(X.size()), number_(std::move(order)), place_(X.size()), ranks_(ranks) {
     detail::check_count("elements of a run", static_cast<double>(X.size()));
     if constexpr (elements_have_copy) copy_ = Motion<ElementReal, turn>(X.size());
     if constexpr (turn) inertia_.resize(X.size());
@@ -50,18 +54,19 @@ class Nodes {
     for (std::size_t i = 0; i < X.size(); ++i) set_position(i, X[i]);
   }
 
-  std::size_t size() const { return mass_.size(); }
-  /// The processes that share the elements; each has all nodes.
+  /// Number of the nodes of the scene.
+  std::size_t size() const { return size_; }
+  /// The processes of the run.
   const Ranks& ranks() const { return ranks_; }
 
   // const: `nodes.v(i).z() = 1` would be lost, and does not compile.
   const Vector x(std::size_t i) const { return vector_of(own_.position[known_place(i)]); }
   const Vector v(std::size_t i) const { return vector_of(own_.velocity[known_place(i)]); }
   const Vector f(std::size_t i) const { return vector_of(own_.force[known_place(i)]); }
-  double mass(std::size_t i) const { return static_cast<double>(mass_[place_[i]]); }
+  double mass(std::size_t i) const { return static_cast<double>(mass_[known_place(i)]); }
   const Vector w(std::size_t i) const { return vector_of(own_.angular_velocity[known_place(i)]); }
   const Vector moment(std::size_t i) const { return vector_of(own_.moment[known_place(i)]); }
-  double inertia(std::size_t i) const { return static_cast<double>(inertia_[place_[i]]); }
+  double inertia(std::size_t i) const { return static_cast<double>(inertia_[known_place(i)]); }
 
   // Error: there is no node of this number.
   void set_position(std::size_t i, const Vector& x) { own_.position[checked_place(i)] = padded(x); }
@@ -72,29 +77,66 @@ class Nodes {
   void add_moment(std::size_t i, const Vector& change) { add(own_.moment[checked_place(i)], change); }
   void add_inertia(std::size_t i, double I) { inertia_[checked_place(i)] += static_cast<Plain>(I); }
 
-  /// Of several processes that share the nodes: where it knows what moves, place by place, the chunks of places up to
-  /// those of each process, and whether it knows all now.
-  void set_known(std::vector<char> known, std::vector<std::size_t> chunk_ends) {
-    known_ = std::move(known), chunk_ends_ = std::move(chunk_ends);
+  // Processes that share the nodes.
+  /// Keeps from now on what this process needs of the nodes, and of the ghosts those at these places.
+  void share(std::shared_ptr<const detail::NodeShare> share, const std::vector<Index>& ghosts) {
+    share_ = std::move(share);
+    std::vector<Index> numbers;
+    numbers.reserve(share_->size() + ghosts.size());
+    share_->each_kept([&](std::size_t place, std::size_t here) {
+      numbers.push_back(number_[place]);
+      here_.at(number_[place]) = static_cast<Index>(here);
+    });
+    for (const Index place : ghosts) numbers.push_back(number_[place]);
+    number_ = std::move(numbers);
+    for (Index& place : bare_) place = share_->here(place);
+    if constexpr (elements_have_copy) copy_ = Motion<ElementReal, turn>(number_.size());
+    leave_others();
   }
-  void know_all(bool all) { knows_all_ = all; }
-  bool knows_all() const { return knows_all_; }
+  /// Brings those of other processes; all processes do it together.
+  void bring_others() {
+    if (knows_all_) return;
+    const auto of_all = [&](const auto& field) {
+      std::decay_t<decltype(field)> all(size());
+      const auto [first, last] = share_->own();
+      std::copy(field.begin() + std::ptrdiff_t(first), field.begin() + std::ptrdiff_t(last),
+                all.begin() + std::ptrdiff_t(share_->own_among_all().first));
+      share_->exchange(ranks_, all);
+      return all;
+    };
+    const std::vector<Index> numbers = of_all(number_);
+    place_.resize(size());
+    for (std::size_t k = 0; k < size(); ++k) place_[numbers[k]] = static_cast<Index>(k);
+    each_field([&](auto& field) { field = of_all(field); });
+    knows_all_ = true;
+  }
+  /// Leaves them to the other processes again, whatever has been done to what this one keeps.
+  void leave_others() {
+    if (!share_ || !knows_all_) return;
+    each_field([&](auto& field) {
+      std::decay_t<decltype(field)> kept(share_->size());
+      share_->each_kept([&](std::size_t place, std::size_t here) { kept[here] = field[place]; });
+      field = std::move(kept);
+    });
+    if constexpr (!elements_have_copy) own_.resize(number_.size());
+    place_ = {};
+    knows_all_ = false;
+  }
 
-  /// Calls f(place) for the nodes that this process knows.
+  /// Calls f(place) for the nodes that this process has.
   template <class F>
   void each_known_place(const F& f) const {
-    for (std::size_t k = 0; k < size(); ++k)
-      if (knows(k)) f(k);
+    for (std::size_t k = 0; k < mass_.size(); ++k) f(k);
   }
   /// The sum of f(place), of three numbers, over all nodes, chunk by chunk: the same bits on any number of processes.
   template <class F>
   Eigen::Vector3d sum(const F& f) const {
     std::vector<Padded<double>> of_chunks(detail::chunks(size()), Padded<double>(0));
-    const std::size_t rank = ranks_.rank(), first = knows_all_ || rank == 0 ? 0 : chunk_ends_[rank - 1],
-                      last = knows_all_ ? of_chunks.size() : chunk_ends_[rank];
-    for (std::size_t c = first; c < last; ++c)
-      for (std::size_t k = c * detail::chunk; k < std::min((c + 1) * detail::chunk, size()); ++k) of_chunks[c] += f(k);
-    if (!knows_all_) ranks_.exchange(std::span(of_chunks), std::span<const std::size_t>(chunk_ends_));
+    const detail::Places own = knows_all_ ? detail::Places{0, size()} : share_->own();
+    std::size_t c = knows_all_ ? 0 : share_->first_chunk();
+    for (std::size_t first = own.first; first < own.last; first += detail::chunk, ++c)
+      for (std::size_t k = first; k < std::min(first + detail::chunk, own.last); ++k) of_chunks[c] += f(k);
+    if (!knows_all_) share_->exchange_chunks(ranks_, of_chunks);
     Padded<double> sum = 0;
     for (const Padded<double>& of_chunk : of_chunks) sum += of_chunk;
     return Nodes<double>::vector_of(sum);
@@ -108,7 +150,6 @@ class Nodes {
   /// Nodes move as one body of this inertia from now on; about a point that does not move, if there is one. Returns its
   /// number. Error: a node belongs to another body.
   std::size_t add_body(std::vector<Index> numbers, const Inertia& whole, const std::optional<Eigen::Vector3d>& pivot) {
-    body_of_.resize(size(), no_body);
     std::vector<Eigen::Vector3d> places;
     for (const Index i : numbers) {
       check_number(i);
@@ -116,8 +157,8 @@ class Nodes {
         throw Error(detail::joined({"strike: node ", std::to_string(i), " belongs to the rigid bodies ",
                                     std::to_string(body_of_[i]), " and ", std::to_string(bodies_.size()),
                                     "; make them one body."}));
-      body_of_[i] = static_cast<Index>(bodies_.size());
-      if (!(mass(i) > 0)) bare_.push_back(place_[i]);
+      body_of_.at(i) = static_cast<Index>(bodies_.size());
+      if (!(mass(i) > 0)) bare_.push_back(place(i));
       places.push_back(x(i).template cast<double>());
     }
     bodies_.emplace_back(std::move(numbers), places, whole, pivot);
@@ -126,7 +167,7 @@ class Nodes {
   std::vector<RigidMotion>& bodies() { return bodies_; }
   const std::vector<RigidMotion>& bodies() const { return bodies_; }
   /// Node i belongs to a rigid body, that of this number.
-  bool is_rigid(std::size_t i) const { return i < body_of_.size() && body_of_[i] != no_body; }
+  bool is_rigid(std::size_t i) const { return body_of_[i] != none; }
   std::size_t body_of(std::size_t i) const { return body_of_[i]; }
   /// Clears the forces on nodes of bodies to which no element adds, and what acts on bodies beside their nodes.
   void clear_bare_forces() {
@@ -174,8 +215,13 @@ class Nodes {
   /// Number of places: those of the nodes, and after them those of ghosts.
   Index places() const { return static_cast<Index>(number_.size()); }
 
-  /// Place of node i in the fields, and number of the node at a place.
-  Index place(std::size_t i) const { return place_[i]; }
+  /// Place of node i in the fields, and number of the node at a place. Where processes share the nodes, places change
+  /// when these begin to, after the start.
+  Index place(std::size_t i) const {
+    if constexpr (has_ranks)
+      if (!knows_all_) return here_[i];
+    return place_[i];
+  }
   Index number(std::size_t place) const { return number_[place]; }
 
   // The fields, place by place, and conversions of their vectors.
@@ -219,17 +265,19 @@ class Nodes {
  private:
   struct None {};
 
-  /// Error: another process has moved the node.
-  Index known_place(std::size_t i) const {
-    const Index place = place_[i];
-    if (!knows(place)) refuse_unknown(i);
-    return place;
+  /// f(field) for what each node has.
+  template <class F>
+  void each_field(const F& f) {
+    f(own_.position), f(own_.velocity), f(own_.force), f(mass_);
+    if constexpr (turn) f(own_.angular_velocity), f(own_.moment), f(inertia_);
   }
-  bool knows(std::size_t place) const {
-    if constexpr (std::is_same_v<Ranks, Alone>)
-      return true;
-    else
-      return knows_all_ || known_[place];
+
+  /// Error: another process has the node.
+  Index known_place(std::size_t i) const {
+    const Index place = this->place(i);
+    if constexpr (has_ranks)
+      if (place == none) refuse_unknown(i);
+    return place;
   }
   [[noreturn, gnu::cold, gnu::noinline]] static void refuse_unknown(std::size_t i) {
     throw Error(detail::joined({"strike: node ", std::to_string(i),
@@ -254,17 +302,18 @@ class Nodes {
   }
   static void add(Padded<Real>& sum, const Vector& change) { sum = padded(vector_of(sum) + change); }
 
+  std::size_t size_;
   Motion<Real, turn> own_;
   [[no_unique_address]] std::conditional_t<elements_have_copy, Motion<ElementReal, turn>, None> copy_;
   std::vector<Plain> mass_, inertia_;
   std::vector<Index> number_, place_;
   [[no_unique_address]] Ranks ranks_;
-  std::vector<char> known_;
-  std::vector<std::size_t> chunk_ends_;
+  std::shared_ptr<const detail::NodeShare> share_;  // if processes share the nodes
   bool knows_all_ = true;
+  static constexpr Index none = std::numeric_limits<Index>::max();
+  detail::ByNumber<Index> here_{none};  // places, while others have the rest of the nodes
   detail::HeldDirections held_, held_turns_;
-  static constexpr Index no_body = std::numeric_limits<Index>::max();
-  std::vector<Index> body_of_;  // node by node, if there are bodies
+  detail::ByNumber<Index> body_of_{none};
   std::vector<RigidMotion> bodies_;
   std::vector<Index> bare_;  // places of nodes of bodies that no element has
 };

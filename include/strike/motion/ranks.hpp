@@ -22,6 +22,11 @@ namespace strike {
 
 namespace detail {
 
+/// A range of places, [first, last).
+struct Places {
+  std::size_t first = 0, last = 0;
+};
+
 /// Places of a field by process: whose numbers are sent to each, and come from it.
 struct PlaceLists {
   std::vector<std::vector<Index>> to, from;
