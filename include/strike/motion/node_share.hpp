@@ -41,9 +41,9 @@ class NodeShare {
     for (std::size_t r = 0; r < ends_.size(); ++r)
       if (own_of(r).first == own_of(r).last && named_.empty() && needed_[r].empty()) needed_[r].push_back(0);
     for (auto& places : needed_) places = ascending(std::move(places));
-    const auto [first, last] = own_of(rank_);
+    const Places own = own_of(rank_);
     std::vector<Index> others = ascending(needed_[rank_], named_);
-    std::erase_if(others, [&](Index place) { return place >= first && place < last; });
+    std::erase_if(others, [&](Index place) { return place >= own.first && place < own.last; });
     list_kept(others);
     lent_.clear(ends_.size());
     for (std::size_t r = 0; r < ends_.size(); ++r) {
@@ -53,7 +53,7 @@ class NodeShare {
         if (owner(place) == r) lent_.from[r].push_back(here(place));
     }
     for (Index& place : named_) place = here(place);
-    own_ = {first < last ? here(first) : 0, first < last ? here(last - 1) + std::size_t{1} : 0};
+    if (own.first < own.last) own_ = {here(own.first), here(own.last - 1) + std::size_t{1}};
     for (Index& place : others) place = here(place);
     others_ = runs(others);
     std::vector<Index> named_of_others;
