@@ -25,6 +25,7 @@
 #include <strike/output/progress.hpp>
 
 #include "conformance/numbers.hpp"
+#include "support/sanitized.hpp"
 
 using namespace strike;
 
@@ -79,7 +80,7 @@ constexpr ExplicitOptions coarse{.energy_tolerance = .3};
 /// The run takes some steps to finite results. That energy from nowhere ends it, the driver sees to.
 template <class Run>
 bool goes_on(Run run) {
-  for (int i = 0; i < 20; ++i) run.step();
+  for (int i = 0; i < testing::repeated(20); ++i) run.step();
   double sum = run.energy().imbalance();
   for (const Eigen::Vector3d& x : run.positions()) sum += x.sum();
   return std::isfinite(sum);
