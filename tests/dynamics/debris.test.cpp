@@ -155,14 +155,14 @@ TEMPLATE_TEST_CASE("debris: momentum, angular momentum and energy go over", "[de
 
 TEST_CASE("debris: the scene turned, renumbered, on threads or in other lanes gives the same", "[debris]") {
   auto run = strike_wall(water, brick, {});
-  run.until(0.01);
+  run.until(0.007);
   CHECK(run.part<0>().deleted() > 10);
   CHECK(run.part<0>().deleted() < 60);
   const Points x = run.positions();
 
   const Frame frame = tilted(0.7, {1, 2, -0.5});
   auto turned = strike_wall(water, brick, frame);
-  turned.until(0.01);
+  turned.until(0.007);
   CHECK(off(turned, x, frame) < 1e-8);
 
   Mesh shuffled = brick;
@@ -171,22 +171,22 @@ TEST_CASE("debris: the scene turned, renumbered, on threads or in other lanes gi
   for (auto& cell : shuffled.hexahedra)
     for (Index& i : cell) i = static_cast<Index>(shuffled.nodes.size() - 1 - i);
   auto renumbered = strike_wall(water, shuffled, {});
-  renumbered.until(0.01);
+  renumbered.until(0.007);
   Points back = renumbered.positions();
   std::reverse(back.begin(), back.end());
   CHECK(off(run, back) < 1e-8);
 
   auto threads = strike_wall(water, brick, {}, OpenMP{2});
-  threads.until(0.01);
+  threads.until(0.007);
   CHECK(off(threads, x) == 0);
   auto one_lane = strike_wall(water, brick, {}, in<double>);
-  one_lane.until(0.01);
+  one_lane.until(0.007);
   CHECK(off(one_lane, x) < 1e-8);
   auto mixed = strike_wall(water, brick, {}, in<Pack<float>, double>);
-  mixed.until(0.01);
+  mixed.until(0.007);
   CHECK(off(mixed, x) < 2e-3);
   auto cycles = strike_wall(water, brick, {}, Subcycling{});
-  cycles.until(0.01);
+  cycles.until(0.007);
   CHECK(off(cycles, x) < 0.1);
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("debris: a half and a quarter, cut at mirrors through its nodes at any
                        Symmetry{frame.turn.col(0), in(0)}, Symmetry{frame.turn.col(1), in(1)},
                        InitialVelocity{frame.turn * Eigen::Vector3d(0, 0, -250)},
                        RigidWall{frame({0, 0, 0}), frame.turn * Eigen::Vector3d(0, 0, 1)}}};
-    run.until(0.015);
+    run.until(0.01);
     CHECK(run.part<0>().deleted() > mesh.hexahedra.size() / 4);
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> at;  // of the nodes of the quarter
     const Points now = run.positions();
