@@ -91,14 +91,12 @@ class Tied {
     all_.gather(nodes, Serial{});
     all_.find_held_directions(nodes);
     all_.gather_forces(nodes, ties_, step.kick(), Serial{});
-    double fastest = 0;
+    double fastest = 0, farthest = 0;
     for (const auto& v : all_.v) fastest = std::max(fastest, v.norm());
+    for (const auto& x : all_.x) farthest = std::max(farthest, x.norm());
     sweeps_ = 0;
     pulled_.assign(ties_.size(), Eigen::Vector3d::Zero());
     const bool on_bodies = !all_.bodies().empty();  // whose ties all change each other's velocities
-    double farthest = 0;
-    if (on_bodies)
-      for (const auto& x : all_.x) farthest = std::max(farthest, x.norm());
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * farthest / step.dt,
                  enough = std::max(1e-12 * fastest, rounding);
     double left = ties_.empty() ? 0 : std::numeric_limits<double>::infinity();
