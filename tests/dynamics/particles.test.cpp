@@ -68,6 +68,48 @@ auto strike_wall(const M& material, const Mesh& mesh, const Frame& frame, const 
 
 }  // namespace
 
+TEST_CASE("particles: lists of neighbours hold as long as they say, wherever all go", "[particles]") {
+  constexpr double reach = 2.6, skin = 0.5;
+  Points x = block(8, 8, 8, 0.3).nodes;
+  for (const Eigen::Vector3d& drop : block(4, 4, 4, 0.3).nodes) x.push_back(drop + Eigen::Vector3d(0, 0, 20));
+  detail::Neighbours<4> neighbours;
+  neighbours.find(x, x.size(), reach + skin, Serial{});
+  const auto hold = [&](const auto& way) {
+    Points ways;
+    for (const Eigen::Vector3d& at : x) ways.push_back(way(at));
+    const bool holds = neighbours.hold(ways, reach, skin, Serial{});
+    bool are_there = true;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      for (std::size_t j = 0; j < x.size(); ++j) {
+        const auto& list = neighbours.of(i / 4);
+        if ((x[i] + ways[i] - x[j] - ways[j]).norm() < reach && !std::binary_search(list.begin(), list.end(), j))
+          are_there = false;
+      }
+    if (holds) CHECK(are_there);
+    return holds;
+  };
+  using Vector = Eigen::Vector3d;
+  CHECK(hold([](const Vector&) { return Vector(1e3, -2e3, 5); }));
+  CHECK(hold([](const Vector& at) { return Vector(0.03 * at.z(), 0, 0); }));
+  CHECK(hold([](const Vector& at) { return Vector(0, 0, at.z() > 10 ? -9 : 0); }));
+  CHECK_FALSE(hold([](const Vector& at) { return Vector(0, 0, at.z() > 10 ? -12 : 0); }));  // they meet
+  CHECK_FALSE(hold([](const Vector& at) { return Vector(-0.2 * at); }));
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  int held = 0;
+  for (int n = 0; n < 200; ++n) {
+    const double size = 0.02 * (n % 20 + 1);
+    Eigen::Matrix3d gradient;
+    for (double& a : gradient.reshaped()) a = 0.3 * size * normal(random);
+    const Vector along(20 * normal(random), 20 * normal(random), 20 * normal(random));
+    held += hold([&](const Vector& at) {
+      return Vector(along + gradient * at + 0.3 * size * Vector(normal(random), normal(random), normal(random)));
+    });
+  }
+  CHECK(held > 20);
+  CHECK(held < 180);
+}
+
 TEST_CASE("particles: a linear motion of any arrangement changes all volumes by its determinant", "[particles]") {
   const Mesh mesh = block(7, 6, 5, 0.35);
   Eigen::Matrix3d L;

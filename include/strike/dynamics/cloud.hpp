@@ -243,28 +243,26 @@ class Cloud {
       return true;
   }
 
-  /// Some have come, or moved by more than half the skin since their neighbours were found, less their common motion
-  /// along the mirrors.
+  /// Some have come, or so near to each other or to a mirror that their lists may not hold who sees whom.
   template <class Execution>
-  bool has_moved(const Execution& execution) const {
+  bool has_moved(const Execution& execution) {
     if (found_at_.size() != count_) return true;
-    const auto moved = [&](std::size_t p) { return Eigen::Vector3d(at_[p] - found_at_[p]); };
-    std::vector<std::pair<Eigen::Vector3d, double>> sums(chunks(count_), {Eigen::Vector3d::Zero(), 0.0});
+    if (!is_found_) find(execution);
+    ways_.resize(count_ + images_.size());
+    std::vector<char> comes(chunks(count_));
     for_each_chunk(execution, count_, [&](std::size_t k, std::size_t first, std::size_t last) {
-      for (std::size_t p = first; p < last; ++p)
-        if (at_[p].allFinite() && found_at_[p].allFinite()) sums[k].first += moved(p), sums[k].second += 1;
+      for (std::size_t p = first; p < last; ++p) {
+        ways_[p] = at_[p] - found_at_[p];
+        comes[k] =
+            comes[k] || (at_[p].allFinite() && !found_at_[p].allFinite()) || images_.across(ways_[p]) > 0.5 * skin();
+      }
     });
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    double there = 1e-30;
-    for (const auto& [sum, count] : sums) mean += sum, there += count;
-    mean = images_.along(Eigen::Vector3d(mean / there));
-    std::vector<double> most(sums.size());
-    for_each_chunk(execution, count_, [&](std::size_t k, std::size_t first, std::size_t last) {
-      for (std::size_t p = first; p < last; ++p)
-        if (at_[p].allFinite()) most[k] = std::max(most[k], (moved(p) - mean).squaredNorm());
-    });
-    const double most_of_all = *std::max_element(most.begin(), most.end());
-    return !(4 * most_of_all < skin() * skin());
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+      ways_[count_ + k] = ways_[images_.of(k)];
+      images_.reflect(k, ways_[count_ + k].data());
+    }
+    return std::count(comes.begin(), comes.end(), true) > 0 ||
+           !neighbours_.hold(ways_, kernel_.reach(), skin(), execution);
   }
   double skin() const { return 0.5 * spacing_; }
   /// The place of particles that are absent, near to none.
@@ -291,7 +289,7 @@ class Cloud {
   double spacing_ = 0;
   Wendland kernel_{0};
   std::size_t count_ = 0;
-  std::vector<Eigen::Vector3d> at_, found_at_;  // positions now, and when neighbours were found
+  std::vector<Eigen::Vector3d> at_, found_at_, ways_;  // now, when neighbours were found, and from there
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   MirrorImages images_;
   std::vector<Seen> particles_;

@@ -64,10 +64,12 @@ class MirrorImages {
     }
   }
 
-  /// The part of a vector along all planes.
-  Eigen::Vector3d along(Eigen::Vector3d a) const {
-    for (const Plane& plane : planes_) a -= a.dot(plane.normal) * plane.normal;
-    return a;
+  /// The largest component of a way across a plane; 0 if it is not finite.
+  double across(const Eigen::Vector3d& way) const {
+    double most = 0;
+    for (const Plane& plane : planes_)
+      if (const double across = std::abs(way.dot(plane.normal)); std::isfinite(across)) most = std::max(most, across);
+    return most;
   }
   /// Reflects a vector of image k, whose components are `stride` apart: a - 2 (a . n) n.
   template <int stride = 1, class Real>

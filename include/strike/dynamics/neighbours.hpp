@@ -1,8 +1,10 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,6 +26,9 @@ struct Box {
   void add_finite(const Eigen::Vector3d& x) {
     if (x.allFinite()) add(x);
   }
+  bool is_empty() const { return !(low <= high).all(); }
+  /// The square of its diagonal.
+  double squared_size() const { return (high - low).square().sum(); }
   /// The square of the gap between two boxes.
   double squared_gap(const Box& other) const {
     return (low - other.high).max(other.low - high).max(0.0).square().sum();
@@ -39,27 +44,54 @@ class Neighbours {
   /// Finds for the groups of the first `count` points which of all lie within `reach` of one of the group.
   template <class Execution>
   void find(std::span<const Eigen::Vector3d> x, std::size_t count, double reach, const Execution& execution) {
-    build(x);
+    boxes_ = boxes_around(x, execution);
     lists_.resize((count + width - 1) / width);
     for_each_chunk(execution, lists_.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) find(x, b, std::min((b + 1) * width, count), reach * reach);
     });
   }
   const std::vector<Index>& of(std::size_t group) const { return lists_[group]; }
+  /// Lists that were found with a reach larger by the skin hold all that are within reach, now that the points have
+  /// gone these ways; those at infinity are not asked for. Points that go together, wherever they go, stay as far
+  /// apart.
+  template <class Execution>
+  bool hold(std::span<const Eigen::Vector3d> ways, double reach, double skin, const Execution& execution) const {
+    const Boxes around_ways = boxes_around(ways, execution);
+    return boxes_.empty() || stay(boxes_.size() - 1, 0, 0, around_ways, reach, skin);
+  }
 
  private:
   static constexpr std::size_t arity = 8;
+  using Boxes = std::vector<std::vector<Box>>;  // of a tree over the points, from these up
 
-  void build(std::span<const Eigen::Vector3d> x) {
-    levels_.resize(1);
-    levels_[0].assign((x.size() + arity - 1) / arity, Box{});
-    for (std::size_t j = 0; j < x.size(); ++j) levels_[0][j / arity].add_finite(x[j]);
-    while (levels_.back().size() > 1) {
-      const std::vector<Box>& below = levels_.back();
+  template <class Execution>
+  static Boxes boxes_around(std::span<const Eigen::Vector3d> x, const Execution& execution) {
+    Boxes boxes(1, std::vector<Box>((x.size() + arity - 1) / arity));
+    for_each_chunk(execution, boxes[0].size(), [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t j = first * arity; j < std::min(last * arity, x.size()); ++j)
+        boxes[0][j / arity].add_finite(x[j]);
+    });
+    while (boxes.back().size() > 1) {
+      const std::vector<Box>& below = boxes.back();
       std::vector<Box> level((below.size() + arity - 1) / arity);
       for (std::size_t k = 0; k < below.size(); ++k) level[k / arity].add(below[k]);
-      levels_.push_back(std::move(level));
+      boxes.push_back(std::move(level));
     }
+    return boxes;
+  }
+  /// No point of box a has come into the reach of one of box b, unless it is in its list.
+  bool stay(std::size_t level, std::size_t a, std::size_t b, const Boxes& ways, double reach, double skin) const {
+    Box of_both = ways[level][a];
+    of_both.add(ways[level][b]);
+    if (of_both.is_empty() || of_both.squared_size() < skin * skin) return true;
+    const double farthest = reach + std::sqrt(of_both.squared_size());
+    if (boxes_[level][a].squared_gap(boxes_[level][b]) > farthest * farthest) return true;
+    if (level <= 1) return false;  // of 64 points
+    const auto end = [&](std::size_t k) { return std::min((k + 1) * arity, boxes_[level - 1].size()); };
+    for (std::size_t i = a * arity; i < end(a); ++i)
+      for (std::size_t j = a == b ? i : b * arity; j < end(b); ++j)
+        if (!stay(level - 1, i, j, ways, reach, skin)) return false;
+    return true;
   }
   void find(std::span<const Eigen::Vector3d> x, std::size_t group, std::size_t last, double squared_reach) {
     Box box;
@@ -70,7 +102,7 @@ class Neighbours {
       for (int c = 0; c < 3; ++c) set_lane(points(c), l, at(c));
     }
     lists_[group].clear();
-    visit(levels_.size() - 1, 0, 1, x, box, points, squared_reach, lists_[group]);
+    visit(boxes_.size() - 1, 0, 1, x, box, points, squared_reach, lists_[group]);
   }
   using Lanes = Pack<double, width>;
   using Group = Vector3<Lanes>;
@@ -79,9 +111,9 @@ class Neighbours {
   void visit(std::size_t level, std::size_t first, std::size_t last, std::span<const Eigen::Vector3d> x, const Box& box,
              const Group& points, double squared_reach, std::vector<Index>& found) const {
     for (std::size_t k = first; k < last; ++k) {
-      if (!(box.squared_gap(levels_[level][k]) <= squared_reach)) continue;
+      if (!(box.squared_gap(boxes_[level][k]) <= squared_reach)) continue;
       if (level > 0) {
-        visit(level - 1, k * arity, std::min((k + 1) * arity, levels_[level - 1].size()), x, box, points, squared_reach,
+        visit(level - 1, k * arity, std::min((k + 1) * arity, boxes_[level - 1].size()), x, box, points, squared_reach,
               found);
         continue;
       }
@@ -92,7 +124,7 @@ class Neighbours {
     }
   }
 
-  std::vector<std::vector<Box>> levels_;  // from the points up
+  Boxes boxes_;
   std::vector<std::vector<Index>> lists_;
 };
 
