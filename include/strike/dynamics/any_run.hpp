@@ -164,14 +164,17 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
     auto& nodes = this->nodes_;
     nodes.leave_others();
     const PlaceLists& lent = this->share_->lent();
-    if constexpr (Nodes::nodes_turn)
-      nodes.ranks().trade(lent, nodes.velocity(), lent, nodes.angular_velocity());
-    else
-      nodes.ranks().trade(lent, nodes.velocity());
+    auto trade = [&] {
+      if constexpr (Nodes::nodes_turn)
+        return nodes.ranks().start_trade(lent, nodes.velocity(), lent, nodes.angular_velocity());
+      else
+        return nodes.ranks().start_trade(lent, nodes.velocity());
+    }();
     const Places own = this->share_->own();
     for_each_chunk(execution_, own.last - own.first, [&](std::size_t, std::size_t first, std::size_t last) {
       detail::drift(nodes, step_.dt, own.first + first, own.first + last);
     });
+    trade.finish();
     for (const auto& [first, last] : this->share_->others()) detail::drift(nodes, step_.dt, first, last);
     place_bodies(nodes);
   }

@@ -45,6 +45,8 @@ class NodalVolume {
   void each_field(const F& f) {
     each_remembered(f), f(volume_, Real(0));
   }
+  std::vector<Real>& sum() { return volume_; }
+  std::vector<Real>& reference() { return reference_; }
   /// Gives all processes what the patches of each have added.
   template <class Deal, class Ranks>
   void exchange(const Deal& deal, const Ranks& ranks) {

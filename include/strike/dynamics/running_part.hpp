@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,6 +67,7 @@ class RunningPart {
     lay_out(part.cells, nodes);
     deal_ = can_be_dealt && place ? detail::Deal(patches_, size(), width, *place, ranks_) : detail::Deal(patches_);
     if constexpr (sees_neighbours) cloud_ = detail::Cloud<T>(elements_, part.cells.volumes);
+    list_own_patches(std::vector<bool>(patches_.size()));
     outcomes_.resize(patches_.size());
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       patches_.load(patches_[p], nodes);
@@ -90,23 +92,22 @@ class RunningPart {
   StableStep compute_forces(Nodes& nodes, Ledger& ledger, const Execution& execution, const Schedule& schedule) {
     if constexpr (averages_volume) {
       volume_.clear();
-      const double begin = now();
-      execution.for_each(deal_.size(), [&](std::size_t k) { add_volumes(deal_.first() + k, nodes); });
-      seconds_ += now() - begin;
+      work(
+          execution, [&](std::size_t p) { add_volumes(p, nodes); }, [&] { return start_trade_of_volumes(); });
       update_volumes();
     }
-    const double begin = now();
     if constexpr (sees_neighbours)
       cloud_.compute_forces(elements_, patches_, nodes, outcomes_, schedule.dt(0), execution);
     else
-      execution.for_each(deal_.size(), [&](std::size_t k) {
-        const std::size_t p = deal_.first() + k;
-        if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
-        schedule.load(patches_, patches_[p]);
-        outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
-        patches_.store(patches_[p], nodes);
-      });
-    seconds_ += now() - begin;
+      work(
+          execution,
+          [&](std::size_t p) {
+            if constexpr (!averages_volume) patches_.load(patches_[p], nodes);
+            schedule.load(patches_, patches_[p]);
+            outcomes_[p] = detail::advance(elements_, patches_[p], nodes.motion(), volume_, schedule);
+            patches_.store(patches_[p], nodes);
+          },
+          [&] { return start_trade_of_forces(nodes); });
     name_slowest();
     exchange(nodes);
     patches_.store_ghosts(nodes, execution);
@@ -225,7 +226,7 @@ class RunningPart {
   bool can_share_nodes() const { return deal_.is_dealt(); }
   /// Tells what the elements of each process need, ...
   void add_needs(detail::NodeShare& share) const {
-    each_named([&](std::size_t rank, Index place, Index) { share.need(rank, place); });
+    each_named([&](std::size_t rank, std::size_t, Index place, Index) { share.need(rank, place); });
   }
   /// ... and from now on knows the nodes that are kept alone, and ghosts of its own patches and of its own nodes, whose
   /// places it adds to a list: where they are now the list says where they were. Finds to whom the forces on nodes are
@@ -233,9 +234,10 @@ class RunningPart {
   void share_nodes(const std::shared_ptr<const detail::NodeShare>& share, std::vector<Index>& ghosts) {
     share_ = share;
     for (detail::PlaceLists* lists : {&due_, &due_ghosts_, &told_}) lists->clear(ranks_.size());
+    std::vector<bool> is_awaited(patches_.size());
     const auto first_ghost = static_cast<Index>(share_->size() + ghosts.size());
     std::vector<Index> kept;
-    each_named([&](std::size_t rank, Index place, Index at) {
+    each_named([&](std::size_t rank, std::size_t p, Index place, Index at) {
       const std::size_t owner = share_->owner(place);
       const bool is_mine = rank == ranks_.rank(), is_ghost = at != place;
       if (!is_mine && owner != ranks_.rank()) return;
@@ -244,10 +246,11 @@ class RunningPart {
       const Index here = share_->here(place), due = is_ghost ? first_ghost + static_cast<Index>(kept.size()) - 1 : here;
       detail::PlaceLists& lists = is_ghost ? due_ghosts_ : due_;
       if (is_mine)
-        lists.to[owner].push_back(due), told_.from[owner].push_back(here);
+        lists.to[owner].push_back(due), told_.from[owner].push_back(here), is_awaited[p] = true;
       else
         lists.from[rank].push_back(due), told_.to[rank].push_back(here);
     });
+    list_own_patches(is_awaited);
     for (auto* lists : {&told_.to, &told_.from})
       for (std::vector<Index>& places : *lists) places = detail::ascending(std::move(places));
     if (deal_.size() > 0) own_ghosts_ = {patches_[deal_.first()].first_ghost, patches_[deal_.last() - 1].last_ghost};
@@ -406,10 +409,16 @@ class RunningPart {
     patches_.load(patches_[p], nodes);
     detail::add_volumes(elements_, patches_[p], nodes.motion(), volume_);
   }
+  auto start_trade_of_volumes() {
+    if constexpr (Elements::loses_elements)
+      return ranks_.start_trade(due_, volume_.sum(), due_ghosts_, volume_.sum(), due_, volume_.reference(), due_ghosts_,
+                                volume_.reference());
+    else
+      return ranks_.start_trade(due_, volume_.sum(), due_ghosts_, volume_.sum());
+  }
   /// Adds them up there, of which patches learn the ratios.
   void update_volumes() {
     if (share_) {
-      volume_.each_sum([&](auto& field) { ranks_.trade(due_, field, due_ghosts_, field); });
       volume_.update(patches_, {deal_.first(), deal_.last()}, [&](auto& ratio) { ranks_.trade(told_, ratio); });
     } else {
       volume_.exchange(deal_, ranks_);
@@ -448,18 +457,41 @@ class RunningPart {
       if (detail::Outcome& outcome = outcomes_[p]; outcome.critical_rate > 0)
         outcome.slowest = elements_.order[outcome.slowest];
   }
-  /// Gives all processes the outcomes of the patches of each, and the forces, or these to those that own the nodes.
+  auto start_trade_of_forces(Nodes& nodes) {
+    auto& motion = nodes.motion();
+    if constexpr (Nodes::nodes_turn)
+      return ranks_.start_trade(due_, nodes.force(), due_ghosts_, motion.force, due_, nodes.moment(), due_ghosts_,
+                                motion.moment);
+    else
+      return ranks_.start_trade(due_, nodes.force(), due_ghosts_, motion.force);
+  }
+  /// f(patch) for the patches of this process. Those on which others wait come first, and what they tell these is on
+  /// its way while the rest are at work.
+  template <class Execution, class F, class StartTrade>
+  void work(const Execution& execution, const F& f, const StartTrade& start_trade) {
+    const auto work_on = [&](std::size_t first, std::size_t last) {
+      const double begin = now();
+      execution.for_each(last - first, [&](std::size_t k) { f(own_patches_[first + k]); });
+      seconds_ += now() - begin;
+    };
+    work_on(0, awaited_);
+    auto trade = start_trade();
+    work_on(awaited_, own_patches_.size());
+    trade.finish();
+  }
+  void list_own_patches(const std::vector<bool>& is_awaited) {
+    own_patches_.resize(deal_.size());
+    std::iota(own_patches_.begin(), own_patches_.end(), deal_.first());
+    const auto rest =
+        std::stable_partition(own_patches_.begin(), own_patches_.end(), [&](std::size_t p) { return is_awaited[p]; });
+    awaited_ = static_cast<std::size_t>(rest - own_patches_.begin());
+  }
+  /// Gives all processes the outcomes of the patches of each, and the forces if all move all nodes.
   void exchange(Nodes& nodes) {
     if (!deal_.is_dealt()) return;
     deal_.exchange_patches(ranks_, outcomes_);
+    if (share_) return;
     auto& motion = nodes.motion();
-    if (share_) {
-      if constexpr (Nodes::nodes_turn)
-        ranks_.trade(due_, nodes.force(), due_ghosts_, motion.force, due_, nodes.moment(), due_ghosts_, motion.moment);
-      else
-        ranks_.trade(due_, nodes.force(), due_ghosts_, motion.force);
-      return;
-    }
     deal_.exchange_nodes(ranks_, nodes.force());
     deal_.exchange_ghosts(ranks_, motion.force);
     if constexpr (Nodes::nodes_turn) {
@@ -468,14 +500,15 @@ class RunningPart {
     }
   }
 
-  /// f(rank, the place of a node, that of the node or ghost where its elements add forces) for the patches of each.
+  /// f(rank, patch, the place of a node, that of the node or ghost where its elements add forces) for the patches of
+  /// each.
   template <class F>
   void each_named(const F& f) const {
     for (std::size_t r = 0; r < ranks_.size(); ++r)
       for (std::size_t p = deal_.first_of(r); p < deal_.last_of(r); ++p) {
         const detail::Patch& patch = patches_[p];
-        for (Index i = patch.first_node; i < patch.last_node; ++i) f(r, i, i);
-        for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) f(r, patches_.source(g), g);
+        for (Index i = patch.first_node; i < patch.last_node; ++i) f(r, p, i, i);
+        for (Index g = patch.first_ghost; g < patch.last_ghost; ++g) f(r, p, patches_.source(g), g);
       }
   }
   /// The places of the elements of this process.
@@ -544,6 +577,8 @@ class RunningPart {
   // go back; and where ghosts of own patches are, among all and here.
   std::shared_ptr<const detail::NodeShare> share_;
   detail::PlaceLists due_, due_ghosts_, told_;
+  std::vector<std::size_t> own_patches_;
+  std::size_t awaited_ = 0;  // of these, the first ones
   detail::Places own_ghosts_;
   std::size_t ghosts_here_ = 0;
   double mass_ = 0, seconds_ = 0;

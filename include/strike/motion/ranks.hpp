@@ -18,6 +18,7 @@ namespace strike {
 //  2. exchange(list, ends)    gives each process what all have in their ranges of a list that all of them hold: that of
 //                             rank r ends at ends[r] and begins where that of the rank before ends
 //  3. trade(lists, field, ...) sends the numbers at places of fields to some processes, and takes others from them
+//  4. start_trade(...)        the same, on its way while others work: finish() of what it returns has taken them
 // Law. All processes call them in the same order.
 
 namespace detail {
@@ -43,6 +44,10 @@ struct Alone {
   template <class T>
   static void exchange(std::span<T>, std::span<const std::size_t>) {}
   static void trade(const auto&...) {}
+  struct Traded {
+    void finish() const {}
+  };
+  static Traded start_trade(const auto&...) { return {}; }
 };
 
 namespace detail {

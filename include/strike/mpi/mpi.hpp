@@ -2,8 +2,10 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <strike/error.hpp>
@@ -20,6 +22,67 @@ namespace strike {
 #if __has_include(<mpi.h>)
 
 namespace detail {
+
+/// Numbers at places of fields on their way between processes: those to others have been read, those of others come at
+/// the end. `ListsAndFields` are a PlaceLists and the field at whose places it looks, and so on.
+template <class... ListsAndFields>
+class MpiTrade {
+ public:
+  MpiTrade(MPI_Comm communicator, std::size_t ranks, ListsAndFields&... all)
+      : messages_(std::make_unique<Messages>(ranks)), all_(all...) {
+    Messages& m = *messages_;
+    each_field([&]<class T>(const PlaceLists& lists, const std::vector<T>& field) {
+      for (std::size_t r = 0; r < lists.to.size(); ++r) {
+        m.got[r].resize(m.got[r].size() + lists.from[r].size() * sizeof(T));
+        for (const Index place : lists.to[r]) m.sent[r].append(reinterpret_cast<const char*>(&field[place]), sizeof(T));
+      }
+    });
+    const auto begin = [&](auto start, std::string& bytes, std::size_t r) {
+      if (bytes.empty()) return;
+      start(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, static_cast<int>(r), 0, communicator,
+            &m.requests.emplace_back());
+    };
+    for (std::size_t r = 0; r < ranks; ++r) begin(&MPI_Irecv, m.got[r], r);
+    for (std::size_t r = 0; r < ranks; ++r) begin(&MPI_Isend, m.sent[r], r);
+  }
+  MpiTrade(MpiTrade&&) = default;
+  /// One that an error leaves unfinished keeps its messages, for MPI works on them until the process ends.
+  ~MpiTrade() { (void)messages_.release(); }
+
+  void finish() {
+    Messages& m = *messages_;
+    MPI_Waitall(static_cast<int>(m.requests.size()), m.requests.data(), MPI_STATUSES_IGNORE);
+    std::vector<std::size_t> taken(m.got.size());
+    each_field([&]<class T>(const PlaceLists& lists, std::vector<T>& field) {
+      for (std::size_t r = 0; r < lists.from.size(); ++r)
+        for (const Index place : lists.from[r]) {
+          std::memcpy(static_cast<void*>(&field[place]), &m.got[r][taken[r]], sizeof(T));
+          taken[r] += sizeof(T);
+        }
+    });
+    messages_.reset();
+  }
+
+ private:
+  struct Messages {
+    explicit Messages(std::size_t ranks) : sent(ranks), got(ranks) {}
+    std::vector<std::string> sent, got;
+    std::vector<MPI_Request> requests{};
+  };
+
+  template <class F>
+  void each_field(const F& f) {
+    std::apply([&](auto&... all) { each_pair(f, all...); }, all_);
+  }
+  template <class F, class Lists, class Field, class... More>
+  static void each_pair(const F& f, const Lists& lists, Field& field, More&... more) {
+    f(lists, field);
+    if constexpr (sizeof...(more) > 0) each_pair(f, more...);
+  }
+
+  std::unique_ptr<Messages> messages_;
+  std::tuple<ListsAndFields&...> all_;
+};
 
 /// The processes of a communicator; see strike/motion/ranks.hpp.
 class MpiRanks {
@@ -53,45 +116,17 @@ class MpiRanks {
     MPI_Allgatherv(MPI_IN_PLACE, 0, type, list.data(), counts.data(), begins.data(), type, communicator_);
     MPI_Type_free(&type);
   }
-  /// Of pairs of lists and fields.
+  /// Of lists and fields in turn, which must outlive it.
   template <class... ListsAndFields>
-  void trade(ListsAndFields&&... all) const {
-    if (size_ == 1) return;
-    std::vector<std::string> sent(size_), got(size_);
-    std::vector<MPI_Request> requests;
-    const auto expect = [&]<class T>(const PlaceLists& lists, const std::vector<T>& field) {
-      for (std::size_t r = 0; r < size_; ++r) {
-        got[r].resize(got[r].size() + lists.from[r].size() * sizeof(T));
-        for (const Index place : lists.to[r]) sent[r].append(reinterpret_cast<const char*>(&field[place]), sizeof(T));
-      }
-    };
-    each_pair(expect, all...);
-    const auto begin = [&](auto start, std::string& bytes, std::size_t r) {
-      if (bytes.empty()) return;
-      start(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, static_cast<int>(r), 0, communicator_,
-            &requests.emplace_back());
-    };
-    for (std::size_t r = 0; r < size_; ++r) begin(&MPI_Irecv, got[r], r);
-    for (std::size_t r = 0; r < size_; ++r) begin(&MPI_Isend, sent[r], r);
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-    std::vector<std::size_t> taken(size_);
-    const auto take = [&]<class T>(const PlaceLists& lists, std::vector<T>& field) {
-      for (std::size_t r = 0; r < size_; ++r)
-        for (const Index place : lists.from[r]) {
-          std::memcpy(static_cast<void*>(&field[place]), &got[r][taken[r]], sizeof(T));
-          taken[r] += sizeof(T);
-        }
-    };
-    each_pair(take, all...);
+  MpiTrade<ListsAndFields...> start_trade(ListsAndFields&... all) const {
+    return {communicator_, size_, all...};
+  }
+  template <class... ListsAndFields>
+  void trade(ListsAndFields&... all) const {
+    start_trade(all...).finish();
   }
 
  private:
-  template <class F, class Lists, class Field, class... More>
-  static void each_pair(const F& f, const Lists& lists, Field& field, More&... more) {
-    f(lists, field);
-    if constexpr (sizeof...(more) > 0) each_pair(f, more...);
-  }
-
   MPI_Comm communicator_ = MPI_COMM_SELF;
   std::size_t rank_ = 0, size_ = 1;
 };
