@@ -75,6 +75,11 @@ class PlatesBeside {
     double offset;                        // [length]
     std::size_t part;
     Index cell;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(nodes, entries, offset, part, cell);
+    }
   };
 
   std::vector<Plate> plates_;

@@ -111,7 +111,6 @@ class Explicit : public detail::RunningScene<Method, Items...> {
   }
   template <class Archive>
   void serialize(Archive& archive) {
-    this->know_all_nodes();
     archive(this->nodes_, bound_, this->damping_, this->ledger_, this->energy_, this->step_, this->stable_,
             this->bounded_, this->smallest_step_, this->reached_, this->clock_, this->cycle_);
     if constexpr ((detail::is_chosen_late<Items> || ...)) archive.same(this->chosen_late());

@@ -53,14 +53,8 @@ class ItemsAtWork {
     return nodes_;
   }
   /// By the numbers of the nodes as given.
-  std::vector<Eigen::Vector3d> positions() const {
-    know_all_nodes();
-    return of_nodes([&](std::size_t i) { return nodes_.x(i); });
-  }
-  std::vector<Eigen::Vector3d> velocities() const {
-    know_all_nodes();
-    return of_nodes([&](std::size_t i) { return nodes_.v(i); });
-  }
+  std::vector<Eigen::Vector3d> positions() const { return nodes_.positions(); }
+  std::vector<Eigen::Vector3d> velocities() const { return nodes_.velocities(); }
 
   /// Sentences that the user should read before the results.
   std::vector<std::string> warnings() const {
@@ -198,13 +192,6 @@ class ItemsAtWork {
   /// Brings the nodes of other processes.
   void know_all_nodes() const {
     if constexpr (has_ranks) const_cast<Nodes&>(nodes_).bring_others();
-  }
-
-  template <class F>
-  std::vector<Eigen::Vector3d> of_nodes(const F& f) const {
-    std::vector<Eigen::Vector3d> values(nodes_.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(i).template cast<double>();
-    return values;
   }
 
   Nodes nodes_;

@@ -96,17 +96,7 @@ class Nodes {
   /// Brings those of other processes; all processes do it together.
   void bring_others() {
     if (knows_all_) return;
-    const auto of_all = [&](const auto& field) {
-      std::decay_t<decltype(field)> all(size());
-      const auto [first, last] = share_->own();
-      std::copy(field.begin() + std::ptrdiff_t(first), field.begin() + std::ptrdiff_t(last),
-                all.begin() + std::ptrdiff_t(share_->own_among_all().first));
-      share_->exchange(ranks_, all);
-      return all;
-    };
-    const std::vector<Index> numbers = of_all(number_);
-    place_.resize(size());
-    for (std::size_t k = 0; k < size(); ++k) place_[numbers[k]] = static_cast<Index>(k);
+    place_ = places_of_all();
     each_field([&](auto& field) { field = of_all(field); });
     knows_all_ = true;
   }
@@ -253,18 +243,56 @@ class Nodes {
   const std::vector<Plain>& mass() const { return mass_; }
   const std::vector<Plain>& inertia() const { return inertia_; }
 
+  /// By the numbers of the nodes; all processes ask together.
+  std::vector<Eigen::Vector3d> positions() const { return by_number(own_.position); }
+  std::vector<Eigen::Vector3d> velocities() const { return by_number(own_.velocity); }
+
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.same(place_, mass_, inertia_);
-    const auto without_ghosts = [&](NodalField<Real>& field) { archive(std::span(field).first(size())); };
-    for (NodalField<Real>* field : {&own_.position, &own_.velocity, &own_.force}) without_ghosts(*field);
-    if constexpr (turn) without_ghosts(own_.angular_velocity), without_ghosts(own_.moment);
+    if (knows_all_)
+      archive.same(place_, mass_, inertia_);
+    else
+      archive.same(places_of_all(), of_all(mass_), of_all(inertia_));
+    const auto keep = [&](NodalField<Real>& field) {
+      if (knows_all_) return archive(std::span(field).first(size()));
+      NodalField<Real> all = of_all(field);
+      archive(std::span(all));
+      if (archive.reads()) share_->each_kept([&](std::size_t place, std::size_t here) { field[here] = all[place]; });
+    };
+    keep(own_.position), keep(own_.velocity), keep(own_.force);
+    if constexpr (turn) keep(own_.angular_velocity), keep(own_.moment);
     for (RigidMotion& body : bodies_) archive(body);
   }
 
  private:
   struct None {};
 
+  /// A field at the places of all nodes, to which each process gives its own, ...
+  template <class T>
+  std::vector<T> of_all(const std::vector<T>& field) const {
+    if (field.empty()) return {};
+    std::vector<T> all(size());
+    const auto [first, last] = share_->own();
+    std::copy(field.begin() + std::ptrdiff_t(first), field.begin() + std::ptrdiff_t(last),
+              all.begin() + std::ptrdiff_t(share_->own_among_all().first));
+    share_->exchange(ranks_, all);
+    return all;
+  }
+  /// ... and these places, by the numbers of the nodes.
+  std::vector<Index> places_of_all() const {
+    const std::vector<Index> numbers = of_all(number_);
+    std::vector<Index> places(size());
+    for (std::size_t k = 0; k < size(); ++k) places[numbers[k]] = static_cast<Index>(k);
+    return places;
+  }
+  std::vector<Eigen::Vector3d> by_number(const NodalField<Real>& field) const {
+    const auto in_order = [&](const NodalField<Real>& all, const std::vector<Index>& places) {
+      std::vector<Eigen::Vector3d> values(size());
+      for (std::size_t i = 0; i < size(); ++i) values[i] = vector_of(all[places[i]]).template cast<double>();
+      return values;
+    };
+    return knows_all_ ? in_order(field, place_) : in_order(of_all(field), places_of_all());
+  }
   /// f(field) for what each node has.
   template <class F>
   void each_field(const F& f) {
