@@ -228,9 +228,8 @@ class RunningPart {
   void add_needs(detail::NodeShare& share) const {
     each_named([&](std::size_t rank, std::size_t, Index place, Index) { share.need(rank, place); });
   }
-  /// ... and from now on knows the nodes that are kept alone, and ghosts of its own patches and of its own nodes, whose
-  /// places it adds to a list: where they are now the list says where they were. Finds to whom the forces on nodes are
-  /// due, and who waits for what they add up to.
+  /// ... and, when that is known, leaves other nodes and ghosts to them: from now on places are those here. Kept are
+  /// the ghosts of its own patches and those of its own nodes, whose places among all it adds to a list.
   void share_nodes(const std::shared_ptr<const detail::NodeShare>& share, std::vector<Index>& ghosts) {
     share_ = share;
     for (detail::PlaceLists* lists : {&due_, &due_ghosts_, &told_}) lists->clear(ranks_.size());
