@@ -224,6 +224,33 @@ TEST_CASE("bodies that erode, touch and rub, with a rigid one and a tie") {
   CHECK(run.template part<2>().added_mass() == alone.template part<2>().added_mass());
 }
 
+TEST_CASE("what erodes on a block whose inside nobody names, with plates about it") {
+  const Mesh block = box({.size = {4, 4, 3}, .cells = {16, 16, 12}});
+  Mesh mesh = block;
+  Cells<4> coat;
+  for (const auto& cell : block.hexahedra)  // its top
+    if (block.nodes[cell[4]].z() == 3) coat.push_back({cell[4], cell[5], cell[6], cell[7]});
+  const Index first =
+      append(mesh, translated(rotated(tetrahedralized(box({.size = {1, 1, 1}, .cells = {4, 4, 4}})), {1, .2, 0}, .2),
+                              {1.5, 1.5, 3.25}));
+  std::vector<Face> top;
+  for (const auto& plate : coat) top.push_back(Face{plate, 0});
+  std::vector<Index> flying;
+  for (Index i = first; i < mesh.nodes.size(); ++i) flying.push_back(i);
+  const auto scene = [&] {
+    return Scene{mesh.nodes,
+                 Part{Hex8{}, copper, block.hexahedra},
+                 Part{Plate4{}, Homogeneous{PlaneStress{copper}, .05, Offset{.025}}, coat},
+                 Part{Tet4{}, copper, mesh.tetrahedra, Erosion{.strain = .1}},
+                 Contact{TwoWay{Surface{surface(Mesh{mesh.nodes, {}, mesh.tetrahedra})}, Surface{top}}, Coulomb{.2}},
+                 InitialVelocity{{30, 0, -250}, flying}};
+  };
+  auto [run, alone] = testing::runs_alike(scene, 150);
+  CHECK(run.template part<2>().deleted() > 0);
+  CHECK(run.energy().friction > 0);
+  check_shared(run);
+}
+
 TEST_CASE("bodies that meet so fast that what is about to touch bounds the step") {
   Mesh mesh = box({.size = {1, 1, 1}, .cells = {8, 8, 8}});
   const Cells<8> lower = mesh.hexahedra;
