@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <strike/dynamics/deal.hpp>
-#include <strike/dynamics/node_share.hpp>
+#include <strike/motion/node_share.hpp>
 
 #include "support/catch.hpp"
 
@@ -72,25 +72,52 @@ TEST_CASE("node share: of every node that is needed the owner lends it to those 
     share.finish();
     shares.push_back(share);
   }
+  const auto among_all = [&](std::size_t rank, const std::vector<Index>& here) {
+    std::vector<Index> places;
+    for (const Index i : here) places.push_back(shares[rank].among_all(i));
+    return places;
+  };
   std::size_t next = 0;
   for (std::size_t r = 0; r < ranks; ++r) {
-    const auto [first, last] = shares[r].own();
+    const NodeShare& share = shares[r];
+    const auto [first, last] = share.own_among_all();
     CHECK(first == next);
     CHECK((last % detail::chunk == 0 || last == nodes));
     next = last;
     std::set<Index> moved;
-    for (std::size_t i = first; i < last; ++i) moved.insert(static_cast<Index>(i));
-    for (const auto& run : shares[r].others())
-      for (std::size_t i = run.first; i < run.last; ++i) CHECK(moved.insert(static_cast<Index>(i)).second);
+    for (std::size_t i = share.own().first; i < share.own().last; ++i) moved.insert(share.among_all(i));
+    CHECK(*moved.begin() == first);
+    CHECK(*moved.rbegin() + 1 == last);
+    CHECK(moved.size() == last - first);
+    for (const auto& run : share.others())
+      for (std::size_t i = run.first; i < run.last; ++i) CHECK(moved.insert(share.among_all(i)).second);
     for (const Index i : named) CHECK(moved.count(i) == 1);
     for (Index i = static_cast<Index>(r); i < nodes; i += 97) CHECK(moved.count(i) == 1);
-    const std::vector<char> known = shares[r].known();
-    CHECK(static_cast<std::size_t>(std::count(known.begin(), known.end(), true)) == moved.size());
+    CHECK(moved.size() == share.size());
+    std::size_t next_here = 0;
+    share.each_kept([&](std::size_t place, std::size_t here) {
+      CHECK(here == next_here++);
+      CHECK(moved.count(static_cast<Index>(place)) == 1);
+      CHECK(share.here(place) == here);
+      CHECK(share.among_all(here) == place);
+    });
+    CHECK(next_here == share.size());
     for (std::size_t s = 0; s < ranks; ++s) {
-      CHECK(shares[r].lent().to[s] == shares[s].lent().from[r]);
-      for (const Index i : shares[r].lent().to[s]) CHECK(shares[r].owner(i) == r);
+      const std::vector<Index> lent = among_all(r, share.lent().to[s]);
+      CHECK(lent == among_all(s, shares[s].lent().from[r]));
+      for (const Index i : lent) CHECK(share.owner(i) == r);
     }
-    CHECK(shares[r].lent().to[r].empty());
+    CHECK(share.lent().to[r].empty());
   }
   CHECK(next == nodes);
+}
+
+TEST_CASE("node share: a process without nodes of its own keeps one, which the owner lends it") {
+  for (std::size_t r = 0; r < 3; ++r) {
+    NodeShare share(10, {10, 10, 10}, {}, r);
+    share.finish();
+    CHECK(share.size() == (r == 2 ? 10 : 1));  // less than a chunk goes to the last
+    CHECK(share.own().last - share.own().first == (r == 2 ? 10 : 0));
+    CHECK(share.among_all(0) == 0);
+  }
 }

@@ -273,6 +273,7 @@ struct Everything {
     Surface all(std::move(pieces));
     for (std::size_t p = 0; p < parts.size(); ++p)
       if (!(parts[p].thickness > 0 ? parts[p].erodes : solids_erode)) all.settle(p);
+    if (solids_erode) all.settle_inside([&](std::size_t p) { return !parts[p].erodes; });
     for (const auto& [p, q] : except) {
       for (const std::size_t named : {p, q})
         if (named >= parts.size())

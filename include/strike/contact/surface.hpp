@@ -113,6 +113,19 @@ class Surface {
     for (Piece& piece : pieces_)
       if (piece.part == part) piece.erodes = false, piece.of_cells = {};
   }
+  /// Forgets the faces between cells of solid parts that never erode, by their places: none will come to the outside.
+  template <class NeverErodes>
+  void settle_inside(const NeverErodes& never_erodes) {
+    const auto is_settled = [&](const Piece& piece) { return !(piece.thickness > 0) && never_erodes(*piece.part); };
+    std::vector<Face> solid;
+    for (const Piece& piece : pieces_)
+      if (is_settled(piece)) solid.insert(solid.end(), piece.of_cells.begin(), piece.of_cells.end());
+    std::vector<char> stays(solid.size(), false);
+    for (const std::size_t k : detail::places_of_unshared(solid)) stays[k] = true;
+    std::size_t k = 0;
+    for (Piece& piece : pieces_)
+      if (is_settled(piece)) std::erase_if(piece.of_cells, [&](const Face&) { return !stays[k++]; });
+  }
   /// Removes the cells of a part that are not alive and their faces; the faces that they covered are outside from now
   /// on. Returns true if the surface has changed. Linear in the cells of the part. Error: fewer flags than cells.
   bool remove(std::size_t part, const std::vector<bool>& alive) {
