@@ -137,7 +137,7 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
 
   void kick() {
     if constexpr (Items::has_ranks)
-      if (this->share_) return kick_shared();
+      if (this->nodes_.node_share()) return kick_shared();
     ledger_.kinetic = detail::kick(this->nodes_, step_.kick(), execution_, kinetic_);
   }
 
@@ -145,37 +145,38 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
   void kick_shared() {
     auto& nodes = this->nodes_;
     nodes.leave_others();
-    const Places own = this->share_->own();
+    const NodeShare& share = *nodes.node_share();
+    const Places own = share.own();
     for_each_chunk(execution_, own.last - own.first, [&](std::size_t k, std::size_t first, std::size_t last) {
-      kinetic_[this->share_->first_chunk() + k] =
-          detail::kick(nodes, step_.kick(), own.first + first, own.first + last);
+      kinetic_[share.first_chunk() + k] = detail::kick(nodes, step_.kick(), own.first + first, own.first + last);
     });
-    for (const auto& [first, last] : this->share_->named_of_others()) detail::kick(nodes, step_.kick(), first, last);
-    this->share_->exchange_chunks(nodes.ranks(), kinetic_);
+    for (const auto& [first, last] : share.named_of_others()) detail::kick(nodes, step_.kick(), first, last);
+    share.exchange_chunks(nodes.ranks(), kinetic_);
     ledger_.kinetic = 0.5 * std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0);
   }
   void drift_nodes() {
     if constexpr (Items::has_ranks)
-      if (this->share_) return drift_shared();
+      if (this->nodes_.node_share()) return drift_shared();
     detail::drift(this->nodes_, step_.dt, execution_);
   }
   /// And copies of those that its elements name.
   void drift_shared() {
     auto& nodes = this->nodes_;
     nodes.leave_others();
-    const PlaceLists& lent = this->share_->lent();
+    const NodeShare& share = *nodes.node_share();
+    const PlaceLists& lent = share.lent();
     auto trade = [&] {
       if constexpr (Nodes::nodes_turn)
         return nodes.ranks().start_trade(lent, nodes.velocity(), lent, nodes.angular_velocity());
       else
         return nodes.ranks().start_trade(lent, nodes.velocity());
     }();
-    const Places own = this->share_->own();
+    const Places own = share.own();
     for_each_chunk(execution_, own.last - own.first, [&](std::size_t, std::size_t first, std::size_t last) {
       detail::drift(nodes, step_.dt, own.first + first, own.first + last);
     });
     trade.finish();
-    for (const auto& [first, last] : this->share_->others()) detail::drift(nodes, step_.dt, first, last);
+    for (const auto& [first, last] : share.others()) detail::drift(nodes, step_.dt, first, last);
     place_bodies(nodes);
   }
 
@@ -252,9 +253,9 @@ class AnyRun : public ItemsAtWork<Method, NodesOfRun> {
       if (mine.dt < stable_.dt) stable_ = mine;
     }
     if constexpr (Items::has_ranks)
-      if (this->share_) {
-        this->share_->exchange_named(this->nodes_.ranks(), this->nodes_.force());
-        if constexpr (Nodes::nodes_turn) this->share_->exchange_named(this->nodes_.ranks(), this->nodes_.moment());
+      if (const NodeShare* share = this->nodes_.node_share()) {
+        share->exchange_named(this->nodes_.ranks(), this->nodes_.force());
+        if constexpr (Nodes::nodes_turn) share->exchange_named(this->nodes_.ranks(), this->nodes_.moment());
       }
     this->remove_deleted();
   }

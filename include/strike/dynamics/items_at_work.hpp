@@ -181,11 +181,10 @@ class ItemsAtWork {
     for (const Item& one : listed_)
       if (one.can->is_part) one.can->add_needs(one.item, *share);
     share->finish();
-    share_ = share;
     std::vector<Index> ghosts;
     for (const Item& one : listed_)
-      if (one.can->is_part) one.can->share_nodes(one.item, share_, ghosts);
-    nodes_.share(share_, ghosts);
+      if (one.can->is_part) one.can->share_nodes(one.item, share, ghosts);
+    nodes_.share(share, ghosts);
     for (const Item& one : listed_)
       if (one.can->find_places) one.can->find_places(one.item, nodes_);
   }
@@ -196,9 +195,6 @@ class ItemsAtWork {
 
   Nodes nodes_;
   std::vector<Item> listed_;
-  struct Nothing {};
-  [[no_unique_address]] std::conditional_t<has_ranks, std::shared_ptr<const NodeShare>, Nothing>
-      share_;  // if they share the nodes
 
  private:
   std::vector<std::string> stretch_warnings() const {

@@ -97,7 +97,7 @@ class RunningPart {
       update_volumes();
     }
     if constexpr (sees_neighbours)
-      cloud_.compute_forces(elements_, patches_, nodes, outcomes_, schedule.dt(0), execution);
+      timed([&] { cloud_.compute_forces(elements_, patches_, nodes, outcomes_, schedule.dt(0), execution); });
     else
       work(
           execution,
@@ -348,6 +348,12 @@ class RunningPart {
     else
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
+  template <class F>
+  void timed(const F& f) {
+    const double begin = now();
+    f();
+    seconds_ += now() - begin;
+  }
   static T mass_of(const T& mass) { return mass; }
   static T mass_of(const NodalInertia<T>& given) { return given.mass; }
 
@@ -469,9 +475,7 @@ class RunningPart {
   template <class Execution, class F, class StartTrade>
   void work(const Execution& execution, const F& f, const StartTrade& start_trade) {
     const auto work_on = [&](std::size_t first, std::size_t last) {
-      const double begin = now();
-      execution.for_each(last - first, [&](std::size_t k) { f(own_patches_[first + k]); });
-      seconds_ += now() - begin;
+      timed([&] { execution.for_each(last - first, [&](std::size_t k) { f(own_patches_[first + k]); }); });
     };
     work_on(0, awaited_);
     auto trade = start_trade();

@@ -78,6 +78,8 @@ class Nodes {
   void add_inertia(std::size_t i, double I) { inertia_[checked_place(i)] += static_cast<Plain>(I); }
 
   // Processes that share the nodes.
+  /// How they do; none: each has all.
+  const detail::NodeShare* node_share() const { return share_.get(); }
   /// Keeps from now on what this process needs of the nodes, and of the ghosts those at these places.
   void share(std::shared_ptr<const detail::NodeShare> share, const std::vector<Index>& ghosts) {
     share_ = std::move(share);
